@@ -1,0 +1,1 @@
+//! The first contact of a body that contact alone holds.

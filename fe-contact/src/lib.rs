@@ -1,0 +1,11 @@
+//! Contact: laws, pairs of surfaces, projection and search. Everything passes through one
+//! [`point::ContactPoint`], so that laws, enforcement and output are written once.
+
+pub mod first_contact;
+pub mod interaction;
+pub mod law;
+pub mod pair;
+pub mod point;
+pub mod rigid;
+pub mod search;
+pub mod surface;

@@ -1,0 +1,1 @@
+//! Which facets may meet: a grid of boxes.

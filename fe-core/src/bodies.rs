@@ -1,0 +1,1 @@
+//! Bodies: connected elements, and the rigid motions that supports leave them.

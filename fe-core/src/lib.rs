@@ -1,0 +1,26 @@
+//! Terms of the virtual work, materials, linear systems and procedures.
+//!
+//! Everything that is ever assembled is a [`term::Term`]; a procedure takes the converged state and a time
+//! increment and returns the next converged state or a typed [`reject::Reject`]. Nothing here opens a file,
+//! prints, or knows of contact.
+
+pub mod amplitude;
+pub mod bodies;
+pub mod element;
+pub mod freedoms;
+pub mod linear;
+pub mod load;
+pub mod material;
+pub mod matrix;
+pub mod procedure;
+pub mod reject;
+pub mod solid;
+pub mod step;
+pub mod structure;
+pub mod term;
+
+pub use freedoms::Freedoms;
+pub use matrix::{BlockMatrix, Couplings, Pattern};
+pub use reject::Reject;
+pub use structure::{Section, Structure};
+pub use term::{Assembly, Motion, Term};

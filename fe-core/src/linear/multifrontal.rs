@@ -1,0 +1,1 @@
+//! The multifrontal Cholesky factorisation.

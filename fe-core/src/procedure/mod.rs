@@ -1,0 +1,1 @@
+//! Procedures: from one converged state to the next.

@@ -1,0 +1,1 @@
+//! Blocks of like solid elements: the term, stresses and strains.

@@ -1,0 +1,59 @@
+//! The bodies of a scene: mesh, element types, materials and sections.
+
+use crate::element::{ElementType, Space};
+use crate::freedoms::Freedoms;
+use crate::material::Material;
+use fe_mesh::{CellId, Mesh};
+
+/// Cells of one element type with one material: a block of like elements.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Section {
+    /// Element type of every cell.
+    pub element: ElementType,
+    /// The cells, ascending.
+    pub cells: Vec<CellId>,
+    /// Index into [`Structure::materials`].
+    pub material: usize,
+    /// Thickness [L] of plane elements; 1 otherwise.
+    pub thickness: f64,
+}
+
+/// Mesh, materials and sections. Every mesh block is of one element type; points that belong to no cell
+/// (reference nodes, unused nodes) are allowed.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Structure {
+    /// Points, cells, sets and element-based surfaces.
+    pub mesh: Mesh,
+    /// Element type of each mesh block.
+    pub elements: Vec<ElementType>,
+    /// Materials.
+    pub materials: Vec<Material>,
+    /// Sections; together they hold every cell exactly once.
+    pub sections: Vec<Section>,
+}
+
+impl Structure {
+    /// True when the scene is plane or axisymmetric. All element types live in the same dimension.
+    pub fn is_plane(&self) -> bool {
+        self.elements.iter().any(|e| e.space() != Space::Solid)
+    }
+
+    /// Section of a cell.
+    pub fn section_of(&self, cell: CellId) -> Option<&Section> {
+        self.sections.iter().find(|s| s.cells.binary_search(&cell).is_ok())
+    }
+
+    /// The freedoms of all nodes: translations where an element is, and on each of `references` (nodes that
+    /// carry a rigid body) all translations and rotations of the space.
+    pub fn freedoms(&self, references: &[u32]) -> Freedoms {
+        let (node, rigid) = if self.is_plane() { (0b11, 0b100011) } else { (0b111, 0b111111) };
+        let mut masks = vec![0u8; self.mesh.points.len()];
+        for section in &self.sections {
+            for &cell in &section.cells {
+                self.mesh.cell(cell).iter().for_each(|&n| masks[n as usize] |= node);
+            }
+        }
+        references.iter().for_each(|&n| masks[n as usize] |= rigid);
+        Freedoms::new(&masks)
+    }
+}

@@ -1,0 +1,55 @@
+//! A term of the virtual work: all that is ever assembled.
+
+use crate::matrix::{BlockMatrix, Couplings};
+use crate::reject::Reject;
+
+/// The motion that a term is evaluated at; vectors over all freedoms (see [`crate::Freedoms`]).
+#[derive(Clone, Copy)]
+pub struct Motion<'a> {
+    /// Displacement since the start [L] (rotations in radians).
+    pub u: &'a [f64],
+    /// Displacement since the start of the increment.
+    pub du: &'a [f64],
+    /// Time at the end of the increment since the start of the step [T].
+    pub step_time: f64,
+    /// Time at the end of the increment since the start of the job [T].
+    pub total_time: f64,
+    /// Time increment [T].
+    pub dt: f64,
+}
+
+/// Where one evaluation of all terms is collected; each term adds to it.
+pub struct Assembly<'a> {
+    /// Internal minus external force [F], over all freedoms.
+    pub residual: &'a mut [f64],
+    /// Derivative of the residual with respect to u; only when asked for.
+    pub stiffness: Option<&'a mut BlockMatrix>,
+    /// Stored energy less the potential of dead loads [F L].
+    pub energy: f64,
+    /// Points whose status (open, closed) differs from the last evaluation of this increment.
+    pub status_changes: usize,
+}
+
+/// One term of the virtual work: a whole block of like elements, all loads of a kind, one contact pair.
+pub trait Term: Send + Sync {
+    /// What messages call it.
+    fn name(&self) -> &str;
+
+    /// Which nodes it couples in the stiffness. Loads couple none.
+    fn couplings(&self, _couplings: &mut Couplings) {}
+
+    /// Numbers of history it keeps.
+    fn history(&self) -> usize {
+        0
+    }
+
+    /// Adds force, stiffness and energy at a motion. `old` is the history at the start of the increment, `new`
+    /// what the previous evaluation of this increment left (at first a copy of `old`) and receives the new one.
+    fn evaluate(&self, at: Motion, old: &[f64], new: &mut [f64], out: &mut Assembly) -> Result<(), Reject>;
+
+    /// True when residual and stiffness are linear in u with a constant stiffness in the whole step and no
+    /// force at u = 0: the stiffness is then assembled once a step and the force is its product with u.
+    fn is_linear(&self) -> bool {
+        false
+    }
+}

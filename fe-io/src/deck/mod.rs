@@ -1,0 +1,1 @@
+//! Decks as written: cards, parameters and data, each with its place.

@@ -1,0 +1,1 @@
+//! The manual, printed from the keyword tables.

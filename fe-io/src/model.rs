@@ -1,0 +1,138 @@
+//! What a deck describes, resolved: plain data, also built by programs that bring no deck.
+
+use fe_contact::interaction::Interaction;
+use fe_contact::pair::PairDefinition;
+use fe_core::amplitude::Amplitude;
+use fe_core::load::{Load, Support};
+use fe_core::step::{Controls, Increments};
+use fe_core::structure::Structure;
+use std::sync::Arc;
+
+/// Where in a deck something stands.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Place {
+    /// File as the user named it.
+    pub file: Arc<str>,
+    /// Line, from 1.
+    pub line: u32,
+}
+
+/// The whole job.
+#[derive(Clone, Debug)]
+pub struct Model {
+    /// `*HEADING`.
+    pub heading: String,
+    /// Bodies.
+    pub structure: Structure,
+    /// Amplitudes.
+    pub amplitudes: Vec<Amplitude>,
+    /// Interactions.
+    pub interactions: Vec<Interaction>,
+    /// Contact pairs, each with the place of its data line.
+    pub pairs: Vec<(PairDefinition, Place)>,
+    /// Reference nodes of rigid bodies, ascending.
+    pub references: Vec<u32>,
+    /// Supports of the model data: they hold from the start.
+    pub supports: Vec<Support>,
+    /// Steps.
+    pub steps: Vec<Step>,
+    /// Remarks on the deck that do not stop the run (cards without effect here), a line each.
+    pub notes: Vec<String>,
+}
+
+/// What `OP=` says of a card's kind in a step.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Changes<T> {
+    /// `OP=NEW`: what earlier steps (and model data) set is removed.
+    pub replace: bool,
+    /// Added, or modified where the same freedom or the same load is meant.
+    pub items: Vec<T>,
+}
+
+/// One step.
+#[derive(Clone, Debug)]
+pub struct Step {
+    /// Place of `*STEP`.
+    pub place: Place,
+    /// Increments of `*STATIC`.
+    pub increments: Increments,
+    /// Controls in force.
+    pub controls: Controls,
+    /// `*BOUNDARY`.
+    pub supports: Changes<Support>,
+    /// `*CLOAD`.
+    pub nodal_loads: Changes<Load>,
+    /// `*DLOAD` and `*DSLOAD`.
+    pub distributed_loads: Changes<Load>,
+    /// Requests in force (those of earlier steps included where the step has no card of the same kind).
+    pub output: Output,
+}
+
+/// What a step prints and stores.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Output {
+    /// Tables of the `.dat` file, in the deck's order.
+    pub tables: Vec<Table>,
+    /// Field names of the results file; `None`: the usual ones.
+    pub fields: Option<Vec<String>>,
+    /// Every how many increments a frame is stored; the last increment of a step always is.
+    pub frequency: usize,
+}
+
+/// One table request.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Table {
+    /// What is printed.
+    pub quantity: Quantity,
+    /// Name of the set, capitals; empty for contact tables.
+    pub set: String,
+    /// Every how many increments; the last one of a step always.
+    pub frequency: usize,
+    /// `TOTALS=`.
+    pub totals: Totals,
+}
+
+/// `TOTALS=NO|YES|ONLY`.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[allow(missing_docs)]
+pub enum Totals {
+    #[default]
+    No,
+    Yes,
+    Only,
+}
+
+/// A quantity of a table.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Quantity {
+    /// `*NODE PRINT`, U.
+    Displacement,
+    /// `*NODE PRINT`, RF.
+    Reaction,
+    /// `*EL PRINT`, S.
+    Stress,
+    /// `*EL PRINT`, E.
+    Strain,
+    /// `*CONTACT PRINT`, CSTRESS.
+    ContactStress,
+    /// `*CONTACT PRINT`, CDISP.
+    ContactDisplacement,
+    /// `*CONTACT PRINT`, CF, CFN or CFS: total force of a pair (`None`: every pair), index of the pair.
+    ContactForce {
+        /// Index into [`Model::pairs`].
+        pair: Option<usize>,
+        /// CF, CFN or CFS.
+        part: ForcePart,
+    },
+}
+
+/// Which part of a total contact force.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ForcePart {
+    /// All of it.
+    Total,
+    /// From the pressure.
+    Normal,
+    /// From the shear.
+    Shear,
+}

@@ -1,0 +1,1 @@
+//! From cards to a model: names become indices, ranges are checked.

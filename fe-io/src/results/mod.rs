@@ -1,0 +1,1 @@
+//! Results: the HDF5 file and the tables.

@@ -1,0 +1,1 @@
+//! Generated meshes: blocks of every kind of cell.

@@ -1,0 +1,13 @@
+//! Meshes: cells, sets, surfaces, shape functions, quadrature and the gmsh format.
+//!
+//! This crate knows geometry only: no freedoms, no materials, no files (the gmsh parser takes bytes).
+
+pub mod cell;
+pub mod generate;
+pub mod gmsh;
+pub mod mesh;
+pub mod quadrature;
+pub mod shape;
+
+pub use cell::CellKind;
+pub use mesh::{CellBlock, CellId, Face, Mesh};
