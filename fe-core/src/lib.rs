@@ -20,7 +20,7 @@ pub mod structure;
 pub mod term;
 
 pub use freedoms::Freedoms;
-pub use matrix::{BlockMatrix, Couplings, Pattern};
+pub use matrix::{BlockMatrix, Couplings, Pattern, Scatter};
 pub use reject::Reject;
 pub use structure::{Section, Structure};
 pub use term::{Assembly, Motion, Term};
