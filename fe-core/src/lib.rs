@@ -3,16 +3,20 @@
 //! Everything that is ever assembled is a [`term::Term`]; a procedure takes the converged state and a time
 //! increment and returns the next converged state or a typed [`reject::Reject`]. Nothing here opens a file,
 //! prints, or knows of contact.
+#![cfg_attr(test, allow(clippy::unwrap_used))]
 
 pub mod amplitude;
 pub mod bodies;
 pub mod element;
+pub mod external;
 pub mod freedoms;
+pub mod increment;
 pub mod linear;
 pub mod load;
 pub mod material;
 pub mod matrix;
 pub mod procedure;
+pub mod ramp;
 pub mod reject;
 pub mod solid;
 pub mod step;

@@ -1,0 +1,166 @@
+//! When Newton's iteration ends: the decks' criteria, and ours on top of them.
+
+use super::Convergence;
+use crate::reject::Reject;
+use crate::step::Controls;
+
+/// What one iteration left.
+#[derive(Clone, Copy, Debug)]
+pub struct Iterate {
+    /// Largest residual on a free freedom [F].
+    pub residual: f64,
+    /// Largest external, reaction or contact force [F].
+    pub largest_force: f64,
+    /// Mean of the external, reaction and contact forces that are not zero [F].
+    pub mean_force: f64,
+    /// Largest correction of the iteration [L].
+    pub correction: f64,
+    /// Largest displacement of the increment [L].
+    pub increment: f64,
+    /// Points whose status changed in the iteration.
+    pub status_changes: usize,
+    /// Residual that round-off alone explains [F].
+    pub round_off: f64,
+}
+
+/// A residual below `R_l` of the mean force needs no test of the correction (the decks' R_l).
+const LINEAR_INCREMENT: f64 = 1e-8;
+
+/// What to do after an iteration.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Verdict {
+    /// The increment is done.
+    Converged,
+    /// One more iteration.
+    GoOn,
+}
+
+/// Follows the iterations of one increment.
+pub struct Newton {
+    controls: Controls,
+    status_iterations: usize,
+    equilibrium_iterations: usize,
+    last_residual: f64,
+    grown: usize,
+    /// Mean force of the earlier increments of the step: sum and count.
+    past: (f64, usize),
+}
+
+impl Newton {
+    /// At the start of an increment; `past` holds sum and count of the mean forces of the step's increments.
+    pub fn new(controls: Controls, past: (f64, usize)) -> Self {
+        Newton {
+            controls,
+            status_iterations: 0,
+            equilibrium_iterations: 0,
+            last_residual: f64::INFINITY,
+            grown: 0,
+            past,
+        }
+    }
+
+    /// Counts an iteration and judges it.
+    pub fn judge(&mut self, now: &Iterate) -> Result<Verdict, Reject> {
+        let c = self.controls;
+        let ratio = if now.largest_force > 0.0 { now.residual / now.largest_force } else { 0.0 };
+        if now.status_changes > 0 {
+            self.status_iterations += 1;
+            let most = if c.convert_sdi { c.i_s_converted } else { c.i_s };
+            if self.status_iterations > most {
+                let iterations = self.status_iterations;
+                return Err(Reject::StatusChanges { iterations, changes: now.status_changes });
+            }
+            // The decks count equilibrium iterations anew after each change of status.
+            self.equilibrium_iterations = 0;
+            self.last_residual = f64::INFINITY;
+            self.grown = 0;
+            return Ok(Verdict::GoOn);
+        }
+        self.equilibrium_iterations += 1;
+        let mean = (self.past.0 + now.mean_force) / (self.past.1 + 1) as f64;
+        if self.balanced(now, mean) {
+            return Ok(Verdict::Converged);
+        }
+        let iterations = self.equilibrium_iterations;
+        self.grown = if now.residual > self.last_residual { self.grown + 1 } else { 0 };
+        self.last_residual = now.residual;
+        if iterations > c.i_0 && self.grown >= 2 {
+            return Err(Reject::Diverging { iterations, residual: ratio });
+        }
+        if iterations >= c.i_c {
+            return Err(Reject::NoConvergence { iterations, residual: ratio });
+        }
+        Ok(Verdict::GoOn)
+    }
+
+    /// Residual and correction are small enough.
+    fn balanced(&self, now: &Iterate, mean: f64) -> bool {
+        let c = self.controls;
+        if now.residual <= now.round_off {
+            return true;
+        }
+        let tolerance = if self.equilibrium_iterations > c.i_p { c.late_residual } else { c.residual };
+        let force = now.residual <= tolerance * mean && now.residual <= c.balance * now.largest_force;
+        let motion = now.correction <= c.correction * now.increment || now.residual <= LINEAR_INCREMENT * mean;
+        force && motion
+    }
+
+    /// How the increment converged.
+    pub fn convergence(&self, last: &Iterate) -> Convergence {
+        Convergence {
+            status_iterations: self.status_iterations,
+            equilibrium_iterations: self.equilibrium_iterations,
+            residual: last.residual,
+            largest_force: last.largest_force,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn iterate(residual: f64, status_changes: usize) -> Iterate {
+        Iterate {
+            residual,
+            largest_force: 1.0,
+            mean_force: 0.1,
+            correction: 1.0,
+            increment: 1.0,
+            status_changes,
+            round_off: 1e-14,
+        }
+    }
+
+    #[test]
+    fn a_change_of_status_is_never_converged() {
+        let mut newton = Newton::new(Controls::default(), (0.0, 0));
+        assert_eq!(newton.judge(&iterate(0.0, 1)), Ok(Verdict::GoOn));
+        assert_eq!(newton.judge(&iterate(1e-15, 0)), Ok(Verdict::Converged));
+    }
+
+    #[test]
+    fn the_correction_counts_until_the_residual_is_tiny() {
+        let mut newton = Newton::new(Controls::default(), (0.0, 0));
+        assert_eq!(newton.judge(&iterate(5e-9, 0)), Ok(Verdict::GoOn));
+        assert_eq!(newton.judge(&iterate(5e-10, 0)), Ok(Verdict::Converged));
+    }
+
+    #[test]
+    fn growth_after_the_first_iterations_is_divergence() {
+        let mut newton = Newton::new(Controls::default(), (0.0, 0));
+        for residual in [1.0, 0.5, 0.4, 0.3, 0.35] {
+            assert_eq!(newton.judge(&iterate(residual, 0)), Ok(Verdict::GoOn));
+        }
+        assert!(matches!(newton.judge(&iterate(0.4, 0)), Err(Reject::Diverging { .. })));
+    }
+
+    #[test]
+    fn statuses_that_do_not_settle_are_given_up() {
+        let mut newton = Newton::new(Controls { convert_sdi: false, ..Controls::default() }, (0.0, 0));
+        for _ in 0..12 {
+            assert_eq!(newton.judge(&iterate(1.0, 3)), Ok(Verdict::GoOn));
+        }
+        assert_eq!(newton.judge(&iterate(1.0, 3)), Err(Reject::StatusChanges { iterations: 13, changes: 3 }));
+    }
+}

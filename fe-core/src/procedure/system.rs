@@ -1,0 +1,135 @@
+//! The assembled system of one step: which terms act, what is prescribed, and one evaluation of it all.
+
+use crate::external::ExternalForces;
+use crate::freedoms::Freedoms;
+use crate::matrix::{BlockMatrix, Couplings, Pattern};
+use crate::ramp::Ramp;
+use crate::reject::Reject;
+use crate::term::{Assembly, Motion, Term};
+use std::sync::Arc;
+
+/// What acts in one step.
+pub struct Scene<'a> {
+    /// Freedoms of all nodes.
+    pub freedoms: &'a Freedoms,
+    /// Terms of the virtual work.
+    pub terms: Vec<&'a dyn Term>,
+    /// Loads.
+    pub external: ExternalForces,
+    /// Prescribed freedoms, ascending, each with its course.
+    pub prescribed: Vec<(usize, Ramp)>,
+    /// Step time [T].
+    pub period: f64,
+}
+
+impl Scene<'_> {
+    /// True for each freedom that is not prescribed.
+    pub fn free(&self) -> Vec<bool> {
+        let mut free = vec![true; self.freedoms.len()];
+        self.prescribed.iter().for_each(|(f, _)| free[*f] = false);
+        free
+    }
+
+    /// The pattern of the stiffness.
+    pub fn pattern(&self) -> Arc<Pattern> {
+        let mut couplings = Couplings::new(self.freedoms.nodes());
+        self.terms.iter().for_each(|term| term.couplings(&mut couplings));
+        Arc::new(Pattern::new(self.freedoms, &couplings))
+    }
+}
+
+/// One evaluation of a scene.
+pub struct Evaluation {
+    /// Internal minus external force [F].
+    pub residual: Vec<f64>,
+    /// Of it, what the terms that are not linear give.
+    pub nonlinear: Vec<f64>,
+    /// Tangent, when asked for; `None` too where the linear part is all of it.
+    pub tangent: Option<BlockMatrix>,
+    /// Energy of the linear terms [F L].
+    pub linear_energy: f64,
+    /// Energy of the others [F L].
+    pub nonlinear_energy: f64,
+    /// Contact points that changed status since the last evaluation.
+    pub status_changes: usize,
+}
+
+/// A scene with the stiffness of its linear terms, assembled once a step.
+pub struct System<'a> {
+    /// The scene.
+    pub scene: Scene<'a>,
+    /// Stiffness of the linear terms; `None` where no freedom is free.
+    pub linear: Option<BlockMatrix>,
+}
+
+impl<'a> System<'a> {
+    /// Assembles the linear part. A scene without free freedoms gets no matrix at all.
+    pub fn new(scene: Scene<'a>) -> Result<Self, Reject> {
+        let any_free = scene.prescribed.len() < scene.freedoms.len();
+        let mut linear = any_free.then(|| BlockMatrix::zero(scene.pattern()));
+        if let Some(matrix) = &mut linear {
+            let rest = vec![0.0; scene.freedoms.len()];
+            let mut force = vec![0.0; scene.freedoms.len()];
+            for term in scene.terms.iter().filter(|t| t.is_linear()) {
+                let at = Motion { u: &rest, du: &rest, step_time: 0.0, total_time: 0.0, dt: 0.0 };
+                let mut out =
+                    Assembly { residual: &mut force, stiffness: Some(matrix), energy: 0.0, status_changes: 0 };
+                term.evaluate(at, &[], &mut [], &mut out)?;
+            }
+        }
+        Ok(System { scene, linear })
+    }
+
+    /// True when every term is linear: the tangent is then [`System::linear`] itself.
+    pub fn is_linear(&self) -> bool {
+        self.scene.terms.iter().all(|t| t.is_linear())
+    }
+
+    /// Evaluates all terms. `history` holds for each term (old, new).
+    pub fn evaluate(
+        &self,
+        at: Motion,
+        external: &[f64],
+        history: (&[Vec<f64>], &mut [Vec<f64>]),
+        with_tangent: bool,
+    ) -> Result<Evaluation, Reject> {
+        let n = self.scene.freedoms.len();
+        let mut residual = vec![0.0; n];
+        let mut nonlinear = vec![0.0; n];
+        let mut tangent = match &self.linear {
+            Some(linear) if with_tangent && !self.is_linear() => Some(linear.clone()),
+            _ => None,
+        };
+        let (mut linear_energy, mut nonlinear_energy, mut status_changes) = (0.0, 0.0, 0);
+        if let Some(linear) = &self.linear {
+            linear.multiply_add(at.u, &mut residual);
+            linear_energy = 0.5 * dot(&residual, at.u);
+        }
+        for (k, term) in self.scene.terms.iter().enumerate() {
+            if term.is_linear() && self.linear.is_some() {
+                continue;
+            }
+            let force = if term.is_linear() { &mut residual } else { &mut nonlinear };
+            let mut out = Assembly { residual: force, stiffness: tangent.as_mut(), energy: 0.0, status_changes: 0 };
+            term.evaluate(at, &history.0[k], &mut history.1[k], &mut out)?;
+            if term.is_linear() {
+                linear_energy += out.energy;
+            } else {
+                nonlinear_energy += out.energy;
+            }
+            status_changes += out.status_changes;
+        }
+        for (r, (c, e)) in residual.iter_mut().zip(nonlinear.iter().zip(external)) {
+            *r += c - e;
+        }
+        if !residual.iter().all(|r| r.is_finite()) {
+            return Err(Reject::NotFinite { place: "the forces".into() });
+        }
+        Ok(Evaluation { residual, nonlinear, tangent, linear_energy, nonlinear_energy, status_changes })
+    }
+}
+
+/// Σ aᵢ bᵢ.
+pub fn dot(a: &[f64], b: &[f64]) -> f64 {
+    a.iter().zip(b).map(|(x, y)| x * y).sum()
+}
