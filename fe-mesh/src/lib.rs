@@ -2,6 +2,8 @@
 //!
 //! This crate knows geometry only: no freedoms, no materials, no files (the gmsh parser takes bytes).
 
+#![cfg_attr(test, allow(clippy::unwrap_used))]
+
 pub mod cell;
 pub mod generate;
 pub mod gmsh;
