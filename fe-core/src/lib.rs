@@ -22,6 +22,7 @@ pub mod solid;
 pub mod step;
 pub mod structure;
 pub mod term;
+pub mod verify;
 
 pub use freedoms::Freedoms;
 pub use matrix::{BlockMatrix, Couplings, Pattern, Scatter};

@@ -1,1 +1,0 @@
-//! Blocks of like solid elements: the term, stresses and strains.
