@@ -26,6 +26,13 @@ class Frame:
             raise SystemExit(f"no field {name} in the file; it holds {', '.join(self.fields)}")
         return np.nan_to_num(self.fields[name])
 
+    def corners(self):
+        """Which points are corners of tetrahedra (not in the middle of an edge)."""
+        found = np.zeros(len(self.points), bool)
+        for kind in (TET4, TET10):
+            found[self.cells.get(kind, np.empty((0, 10), int))[:, :4]] = True
+        return found
+
     def outer_faces(self, chosen):
         """Faces that belong to one tetrahedron only and whose corners are all chosen, shape (n, 3) or (n, 6);
         `chosen` says it of each point."""

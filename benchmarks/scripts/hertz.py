@@ -53,7 +53,8 @@ def evaluate(path, ball):
     force = PARTS * ball.pressure * area(points, frame.outer_faces(at_top))
     carried = PARTS * frame.field("CNORMF")[secondary, 2].sum()
     radius, peak = hertz(force, ball)
-    near = secondary & (across < 2.0 * radius)
+    # Pressures are unknowns of corner nodes; those between are interpolated.
+    near = secondary & frame.corners() & (across < 2.0 * radius)
     distance, pressure = across[near], pressure[near]
     fitted = contact_radius(distance, pressure)
     within = distance < fitted

@@ -9,6 +9,7 @@ Meshes, decks and results stay in the folder. Without `--fe`, only meshes and de
 
 import argparse
 import pathlib
+import re
 import subprocess
 import time
 
@@ -33,17 +34,25 @@ def make_deck(mesh, path):
 
 
 def run(program, deck):
-    """Runs a deck; wall-clock time [s] of the whole process."""
+    """Runs a deck: iterations of all increments, and wall-clock time [s] of the whole process."""
     start = time.perf_counter()
-    subprocess.run([program, "run", deck.name], cwd=deck.parent, check=True, stdout=subprocess.DEVNULL)
-    return time.perf_counter() - start
+    command = [program, "run", deck.name]
+    ran = subprocess.run(command, cwd=deck.parent, check=True, stdout=subprocess.PIPE, text=True)
+    return iterations(ran.stdout), time.perf_counter() - start
 
 
-def row(edges, seconds, results):
+def iterations(printed):
+    """Sum over the increment table: its columns 4 and 5 count iterations with and without changes of status."""
+    lines = [line.split() for line in printed.splitlines() if re.match(r"\s*\d+\s+\d+\s+\d+\s+\d+\s+\d+\s", line)]
+    return sum(int(line[3]) + int(line[4]) for line in lines)
+
+
+def row(edges, work, results):
     """One line of the table."""
     nodes, table = hertz.evaluate(str(results), hertz.parser().parse_args([str(results)]))
-    errors = [computed / theory - 1.0 for theory, computed in table.values()]
-    return f"| {edges} | {nodes} | {errors[0]:+.0e} | " + " | ".join(f"{100 * e:+.2f} %" for e in errors[1:]) + f" | {seconds:.1f} |"
+    force, *errors = [computed / theory - 1.0 for theory, computed in table.values()]
+    percent = " | ".join(f"{100 * error:+.2f} %" for error in errors)
+    return f"| {edges} | {nodes} | {force:+.0e} | {percent} | {work[0]} | {work[1]:.1f} |"
 
 
 def main():
@@ -53,16 +62,16 @@ def main():
     parser.add_argument("--edges", type=float, nargs="+", default=[4, 6, 8, 11], help="edges along the contact radius")
     given = parser.parse_args()
     given.folder.mkdir(parents=True, exist_ok=True)
-    print("| a/h | nodes | contact force | peak pressure, fit | peak pressure, node | contact radius | seconds |")
-    print("|---|---|---|---|---|---|---|")
+    print("| a/h | nodes | contact force | peak pressure, fit | peak pressure, node | contact radius | iterations | seconds |")
+    print("|---|---|---|---|---|---|---|---|")
     for edges in given.edges:
         deck = given.folder / f"hertz_{edges:g}.inp"
         mesh = deck.with_suffix(".msh")
         make_mesh(edges, mesh)
         make_deck(mesh, deck)
         if given.fe:
-            seconds = run(given.fe.resolve(), deck)
-            print(row(f"{edges:g}", seconds, deck.with_suffix(".vtkhdf")), flush=True)
+            work = run(given.fe.resolve(), deck)
+            print(row(f"{edges:g}", work, deck.with_suffix(".vtkhdf")), flush=True)
 
 
 if __name__ == "__main__":

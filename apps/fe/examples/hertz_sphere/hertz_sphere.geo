@@ -15,28 +15,38 @@ DefineConstant[
   growth = {0.3, Name "growth of the edge length with the distance, for n = 8"}
 ];
 
+// A ball around the origin cuts out what may touch, 1.6 a wide; the rest of each body adjoins it.
+reach = 1.6 * contact_radius;
+
 // The pole of the sphere's parametrization is turned away from the contact.
 Sphere(1) = {0, 0, 0, radius, 0, Pi / 2, Pi / 2};
 Rotate { {0, 1, 0}, {0, 0, 0}, Pi / 2 } { Volume{1}; }
 Translate {0, 0, radius} { Volume{1}; }
-Box(2) = {0, 0, -depth, width, width, depth};
+Sphere(2) = {0, 0, 0, reach, 0, Pi / 2, Pi / 2};
+inner() = BooleanIntersection{ Volume{1}; }{ Volume{2}; };
+outer() = BooleanDifference{ Volume{1}; Delete; }{ Volume{2}; Delete; };
+ball() = BooleanFragments{ Volume{inner()}; Delete; }{ Volume{outer()}; Delete; };
 
-// Faces are found by where they lie.
+Box(11) = {0, 0, -depth, width, width, depth};
+Sphere(12) = {0, 0, 0, reach, -Pi / 2, 0, Pi / 2};
+inner() = BooleanIntersection{ Volume{11}; }{ Volume{12}; };
+outer() = BooleanDifference{ Volume{11}; Delete; }{ Volume{12}; Delete; };
+block() = BooleanFragments{ Volume{inner()}; Delete; }{ Volume{outer()}; Delete; };
+
+// Faces are found by where they lie. Between the bodies: the two that touch, one flat, one round.
 tiny = 1e-3;
 x_faces() = Surface In BoundingBox{-tiny, -tiny, -depth - tiny, tiny, width + tiny, radius + tiny};
 y_faces() = Surface In BoundingBox{-tiny, -tiny, -depth - tiny, width + tiny, tiny, radius + tiny};
 top_faces() = Surface In BoundingBox{-tiny, -tiny, radius - tiny, width + tiny, width + tiny, radius + tiny};
 bottom_faces() = Surface In BoundingBox{-tiny, -tiny, -depth - tiny, width + tiny, width + tiny, -depth + tiny};
-block_faces() = Surface In BoundingBox{-tiny, -tiny, -tiny, width + tiny, width + tiny, tiny};
-ball_faces() = Boundary{ Volume{1}; };
-ball_faces() -= x_faces();
-ball_faces() -= y_faces();
-ball_faces() -= top_faces();
+flat_faces() = Surface In BoundingBox{-tiny, -tiny, -tiny, reach + tiny, reach + tiny, tiny};
+round_faces() = Surface In BoundingBox{-tiny, -tiny, -tiny, reach + tiny, reach + tiny, reach^2 / radius};
+round_faces() -= flat_faces();
 
-Physical Volume("BALL") = {1};
-Physical Volume("BLOCK") = {2};
-Physical Surface("CONTACT_BALL") = ball_faces();
-Physical Surface("CONTACT_BLOCK") = block_faces();
+Physical Volume("BALL") = ball();
+Physical Volume("BLOCK") = block();
+Physical Surface("CONTACT_BALL") = round_faces();
+Physical Surface("CONTACT_BLOCK") = flat_faces();
 Physical Surface("TOP") = top_faces();
 Physical Surface("BOTTOM") = bottom_faces();
 Physical Surface("XSYM") = x_faces();
