@@ -98,9 +98,7 @@ impl Scene {
     /// Stiffness of all elements.
     pub fn stiffness(&self) -> BlockMatrix {
         let block = self.block();
-        let mut couplings = Couplings::new(self.freedoms.nodes());
-        block.couplings(&mut couplings);
-        let mut matrix = BlockMatrix::zero(Arc::new(Pattern::new(&self.freedoms, &couplings)));
+        let mut matrix = self.zero_stiffness(&block);
         let u = vec![0.0; self.freedoms.len()];
         let mut residual = u.clone();
         let at = Motion { u: &u, du: &u, step_time: 0.0, total_time: 0.0, dt: 1.0 };
@@ -108,6 +106,13 @@ impl Scene {
             Assembly { residual: &mut residual, stiffness: Some(&mut matrix), energy: 0.0, status_changes: 0 };
         block.evaluate(at, &[], &mut [], &mut out).unwrap();
         matrix
+    }
+
+    /// A matrix with room for a block's stiffness.
+    pub fn zero_stiffness(&self, block: &SolidBlock) -> BlockMatrix {
+        let mut couplings = Couplings::new(self.freedoms.nodes());
+        block.couplings(&mut couplings);
+        BlockMatrix::zero(Arc::new(Pattern::new(&self.freedoms, &couplings)))
     }
 
     /// The stiffness as a full matrix.

@@ -1,5 +1,9 @@
 //! Loads and supports as a model holds them.
 
+mod force;
+
+pub use force::{LoadError, unit_forces};
+
 use fe_mesh::{CellId, Face};
 
 /// A prescribed freedom of one node.

@@ -1,0 +1,200 @@
+//! Consistent nodal forces of loads: what work a load does on each shape function.
+
+use super::LoadKind;
+use crate::element::Space;
+use crate::freedoms::Freedoms;
+use crate::structure::{Section, Structure};
+use fe_mesh::quadrature::Rule;
+use fe_mesh::{CellId, CellKind, Face, shape};
+use std::collections::BTreeMap;
+
+/// A load that cannot be turned into forces.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum LoadError {
+    /// A nodal load on a freedom that its node does not have.
+    #[error("node {label} has no freedom {} to be loaded: it belongs to no element that moves there", .component + 1)]
+    NoFreedom {
+        /// Label of the node.
+        label: u64,
+        /// Freedom, from 0.
+        component: u8,
+    },
+    /// Gravity on a material without density.
+    #[error("gravity acts on element {label}, whose material {material} has no *DENSITY")]
+    NoDensity {
+        /// Label of the first such element.
+        label: u64,
+        /// Name of the material.
+        material: String,
+    },
+    /// Gravity across the axis of an axisymmetric model is no axisymmetric load.
+    #[error("gravity on the axisymmetric element {label} must point along the axis (y)")]
+    AcrossAxis {
+        /// Label of the first such element.
+        label: u64,
+    },
+    /// A face that the element does not have.
+    #[error("element {label} has no face S{} to press on", .face + 1)]
+    NoFace {
+        /// Label of the element.
+        label: u64,
+        /// Face, from 0.
+        face: u8,
+    },
+    /// A loaded cell without element type and material.
+    #[error("element {label} is loaded but has no section")]
+    NoSection {
+        /// Label of the element.
+        label: u64,
+    },
+}
+
+/// Nodal forces [F] of a load of magnitude 1 by freedom, ascending, each freedom once.
+pub fn unit_forces(
+    load: &LoadKind,
+    structure: &Structure,
+    freedoms: &Freedoms,
+) -> Result<Vec<(usize, f64)>, LoadError> {
+    let mut forces = Forces { structure, freedoms, sum: BTreeMap::new() };
+    match load {
+        LoadKind::Nodal { nodes, component } => {
+            nodes.iter().try_for_each(|&n| forces.add(n, usize::from(*component), 1.0))?;
+        }
+        LoadKind::Pressure { faces } => faces.iter().try_for_each(|&f| forces.press(f))?,
+        LoadKind::Gravity { cells, direction } => cells.iter().try_for_each(|&c| forces.pull(c, direction))?,
+    }
+    Ok(forces.sum.into_iter().collect())
+}
+
+struct Forces<'a> {
+    structure: &'a Structure,
+    freedoms: &'a Freedoms,
+    sum: BTreeMap<usize, f64>,
+}
+
+/// Largest number of nodes of a loaded cell or face.
+const NODES: usize = 10;
+
+impl Forces<'_> {
+    fn add(&mut self, node: u32, component: usize, force: f64) -> Result<(), LoadError> {
+        let freedom = self.freedoms.index(node as usize, component).ok_or_else(|| LoadError::NoFreedom {
+            label: self.structure.mesh.point_labels[node as usize],
+            component: component as u8,
+        })?;
+        *self.sum.entry(freedom).or_insert(0.0) += force;
+        Ok(())
+    }
+
+    fn section(&self, cell: CellId) -> Result<&Section, LoadError> {
+        let label = || self.structure.mesh.cell_label(cell);
+        self.structure.section_of(cell).ok_or_else(|| LoadError::NoSection { label: label() })
+    }
+
+    /// f_a = −∫ N_a n dA, n outward: the rule is exact for the face's own polynomials.
+    fn press(&mut self, face: Face) -> Result<(), LoadError> {
+        let mesh = &self.structure.mesh;
+        let section = self.section(face.cell)?;
+        let (space, thickness) = (section.element.space(), section.thickness);
+        if usize::from(face.face) >= mesh.kind(face.cell).faces().len() {
+            return Err(LoadError::NoFace { label: mesh.cell_label(face.cell), face: face.face });
+        }
+        let (kind, nodes) = mesh.face(face);
+        let degree = match kind {
+            CellKind::Tri3 => 1,
+            CellKind::Tri6 => 4,
+            CellKind::Quad4 => 3,
+            _ => 5,
+        };
+        let x: Vec<[f64; 3]> = nodes.iter().map(|&n| mesh.points[n as usize]).collect();
+        let mut force = [[0.0; 3]; NODES];
+        for (xi, weight) in Rule::of(kind, degree).points {
+            let at = Place::new(kind, &x, &xi);
+            let normal = match kind.dimension() {
+                1 => [at.tangents[0][1], -at.tangents[0][0], 0.0],
+                _ => cross(&at.tangents[0], &at.tangents[1]),
+            };
+            let measure = weight * across(space, thickness, at.position[0]);
+            for (force, value) in force.iter_mut().zip(at.values).take(nodes.len()) {
+                (0..3).for_each(|i| force[i] -= value * measure * normal[i]);
+            }
+        }
+        for (node, force) in nodes.iter().zip(force) {
+            (0..space.dimension()).try_for_each(|i| self.add(*node, i, force[i]))?;
+        }
+        Ok(())
+    }
+
+    /// f_a = ρ ∫ N_a dV times the direction.
+    fn pull(&mut self, cell: CellId, direction: &[f64; 3]) -> Result<(), LoadError> {
+        let mesh = &self.structure.mesh;
+        let section = self.section(cell)?;
+        let (space, thickness) = (section.element.space(), section.thickness);
+        let material = &self.structure.materials[section.material];
+        let label = mesh.cell_label(cell);
+        let density =
+            material.density.ok_or_else(|| LoadError::NoDensity { label, material: material.name.clone() })?;
+        if space == Space::Axisymmetric && direction[0] != 0.0 {
+            return Err(LoadError::AcrossAxis { label });
+        }
+        let kind = mesh.kind(cell);
+        let nodes = mesh.cell(cell);
+        let degree = match kind {
+            CellKind::Tet4 => 1,
+            CellKind::Tri3 => 2,
+            CellKind::Tet10 => 5,
+            _ => 3,
+        };
+        let x: Vec<[f64; 3]> = nodes.iter().map(|&n| mesh.points[n as usize]).collect();
+        let mut mass = [0.0; NODES];
+        for (xi, weight) in Rule::of(kind, degree).points {
+            let at = Place::new(kind, &x, &xi);
+            let normal = cross(&at.tangents[0], &at.tangents[1]);
+            let jacobian = match kind.dimension() {
+                2 => normal[2],
+                _ => (0..3).map(|i| normal[i] * at.tangents[2][i]).sum(),
+            };
+            let measure = weight * jacobian * across(space, thickness, at.position[0]);
+            mass.iter_mut().zip(at.values).for_each(|(m, value)| *m += density * value * measure);
+        }
+        for (node, mass) in nodes.iter().zip(mass) {
+            (0..space.dimension()).try_for_each(|i| self.add(*node, i, mass * direction[i]))?;
+        }
+        Ok(())
+    }
+}
+
+/// What a length in the plane is multiplied with: thickness or circumference [L]; 1 in space.
+fn across(space: Space, thickness: f64, radius: f64) -> f64 {
+    match space {
+        Space::Solid => 1.0,
+        Space::PlaneStrain | Space::PlaneStress => thickness,
+        Space::Axisymmetric => std::f64::consts::TAU * radius,
+    }
+}
+
+/// Shape functions, position and tangents ∂x/∂ξ_d at one place of a cell or face.
+struct Place {
+    values: [f64; NODES],
+    position: [f64; 3],
+    tangents: [[f64; 3]; 3],
+}
+
+impl Place {
+    fn new(kind: CellKind, x: &[[f64; 3]], xi: &[f64; 3]) -> Self {
+        let (mut values, mut gradients) = ([0.0; NODES], [[0.0; 3]; NODES]);
+        shape::values(kind, xi, &mut values);
+        shape::gradients(kind, xi, &mut gradients);
+        let (mut position, mut tangents) = ([0.0; 3], [[0.0; 3]; 3]);
+        for ((x, n), g) in x.iter().zip(&values).zip(&gradients) {
+            for i in 0..3 {
+                position[i] += n * x[i];
+                tangents.iter_mut().zip(g).for_each(|(t, g)| t[i] += g * x[i]);
+            }
+        }
+        Place { values, position, tangents }
+    }
+}
+
+fn cross(a: &[f64; 3], b: &[f64; 3]) -> [f64; 3] {
+    std::array::from_fn(|i| a[(i + 1) % 3] * b[(i + 2) % 3] - a[(i + 2) % 3] * b[(i + 1) % 3])
+}
