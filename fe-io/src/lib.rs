@@ -1,4 +1,5 @@
 //! Decks, diagnostics and results files: the only crate that opens files.
+#![cfg_attr(test, allow(clippy::unwrap_used))]
 
 pub mod deck;
 pub mod diagnostic;
@@ -8,4 +9,6 @@ pub mod model;
 pub mod resolve;
 pub mod results;
 
+pub use deck::Deck;
+pub use diagnostic::{Diagnostic, Diagnostics, Severity};
 pub use model::Model;

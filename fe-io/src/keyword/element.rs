@@ -1,0 +1,43 @@
+use super::{Data, DataLine, Field, Keyword, Level, Parameter};
+
+pub const ELEMENT: Keyword = Keyword {
+    name: "ELEMENT",
+    level: Level::Model,
+    summary: "elements: label and nodes",
+    parameters: &[
+        Parameter::name("TYPE", "C3D4, C3D10, C3D8, CPE3, CPE4, CPS3, CPS4, CAX3 or CAX4").required(),
+        Parameter::name("ELSET", "element set that the elements are added to"),
+        Parameter::not_yet("INPUT", "say `*ELEMENT` and in the next line `*INCLUDE, INPUT=file`"),
+        Parameter::not_yet("OFFSET", "write the labels as they shall be"),
+    ],
+    data: Data::Lines(&[DataLine::many(&[
+        Field::whole("label", "label of the element"),
+        Field::whole("node", "labels of its nodes; a line that ends with a comma goes on in the next").repeats(),
+    ])]),
+    source: "Abaqus Keywords Reference, *ELEMENT",
+};
+
+pub const ELSET: Keyword = Keyword {
+    name: "ELSET",
+    level: Level::Model,
+    summary: "an element set; several cards of one name add up",
+    parameters: &[
+        Parameter::name("ELSET", "name of the set").required(),
+        Parameter::flag("GENERATE", "each data line is first, last, step"),
+        Parameter::idle("UNSORTED", "sets are kept in ascending order"),
+        Parameter::silent("INTERNAL", "of no meaning here"),
+        Parameter::not_yet("INSTANCE", "parts and instances are not there: write nodes and elements once each"),
+    ],
+    data: Data::Lines(&[
+        DataLine::many(&[
+            Field::word("element or set", "label of an element, or an element set defined above").repeats()
+        ]),
+        DataLine::many(&[
+            Field::whole("first", "first label"),
+            Field::whole("last", "last label"),
+            Field::whole("step", "step from label to label").or("1"),
+        ])
+        .when("GENERATE"),
+    ]),
+    source: "Abaqus Keywords Reference, *ELSET",
+};

@@ -1,0 +1,43 @@
+use super::{Choice, Data, Keyword, Kind, Level, Parameter};
+
+pub const STEP: Keyword = Keyword {
+    name: "STEP",
+    level: Level::Model,
+    summary: "begins a step; *STATIC follows",
+    parameters: &[
+        Parameter::of("INC", Kind::Whole, "most increments, 100 without it"),
+        Parameter::of("NAME", Kind::Text, "name of the step"),
+        Parameter::of(
+            "NLGEOM",
+            Kind::OptionalChoice(&[Choice::not_yet("YES", LINEAR), Choice::there("NO")]),
+            "NO (default): displacements are small",
+        ),
+        Parameter::choice(
+            "CONVERT SDI",
+            &[Choice::there("YES"), Choice::there("NO")],
+            "YES (default): an iteration with a change of status may end the increment when its errors are small",
+        ),
+        Parameter::choice(
+            "AMPLITUDE",
+            &[Choice::there("RAMP"), Choice::not_yet("STEP", "give the loads an amplitude of 1 throughout")],
+            "RAMP (default): loads without an amplitude grow over the step",
+        ),
+        Parameter::not_yet("PERTURBATION", "say `*STEP`: without NLGEOM and contact one increment is linear"),
+        Parameter::idle("UNSYMM", "the stiffness is symmetric"),
+        Parameter::idle("EXTRAPOLATION", "increments begin at the last converged state"),
+        Parameter::idle("SOLVER", "there is one solver, a direct one"),
+    ],
+    data: Data::Text("a remark"),
+    source: "Abaqus Keywords Reference, *STEP",
+};
+
+pub const LINEAR: &str = "displacements are small: say `NLGEOM=NO` or leave it out";
+
+pub const END_STEP: Keyword = Keyword {
+    name: "END STEP",
+    level: Level::Step,
+    summary: "ends a step",
+    parameters: &[],
+    data: Data::None,
+    source: "Abaqus Keywords Reference, *END STEP",
+};

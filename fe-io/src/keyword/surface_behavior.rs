@@ -1,0 +1,44 @@
+use super::{Choice, Data, DataLine, Field, Keyword, Kind, Level, Parameter};
+
+pub const SURFACE_BEHAVIOR: Keyword = Keyword {
+    name: "SURFACE BEHAVIOR",
+    level: Level::Model,
+    summary: "pressure against overclosure, under *SURFACE INTERACTION",
+    parameters: &[
+        Parameter::of(
+            "PRESSURE-OVERCLOSURE",
+            Kind::Law(&[
+                Choice::not_yet("EXPONENTIAL", "LINEAR is there"),
+                Choice::not_yet("TABULAR", "LINEAR is there"),
+                Choice::not_yet("SCALE FACTOR", "LINEAR is there"),
+                Choice::not_yet("TIED", "give both sides common nodes"),
+                Choice::not_yet("HERTZ", "it is for discrete elements"),
+                Choice::not_yet("JKR", "it is for discrete elements"),
+                Choice::not_yet("LKM", "it is for discrete elements"),
+            ]),
+            "HARD (default) or a softened law",
+        ),
+        Parameter::of(
+            "PENALTY",
+            Kind::OptionalChoice(&[
+                Choice::there("LINEAR"),
+                Choice::not_yet("NONLINEAR", "say `PENALTY=LINEAR`, with a stiffness in the data line if need be"),
+            ]),
+            "hard contact by a penalty p = f K (h + c)",
+        ),
+        Parameter::not_yet("AUGMENTED LAGRANGE", "say `*SURFACE BEHAVIOR, PENALTY`"),
+        Parameter::not_yet("DIRECT", "say `*SURFACE BEHAVIOR, PENALTY`"),
+        Parameter::flag("NO SEPARATION", "not there yet: surfaces that closed never open again"),
+    ],
+    data: Data::Lines(&[DataLine::optional(PENALTY).when("PENALTY"), DataLine::once(&[]).when("a law: its numbers")]),
+    source: "Abaqus Keywords Reference, *SURFACE BEHAVIOR",
+};
+
+/// The data line of hard contact by a penalty.
+pub const PENALTY: &[Field] = &[
+    Field::number("stiffness", "F/L³", "penalty stiffness K")
+        .or("10 × the stiffness of the elements beneath")
+        .above(0.0),
+    Field::number("clearance", "L", "clearance c at which the pressure vanishes").or("0"),
+    Field::number("scale", "-", "factor f on K").or("1").above(0.0),
+];
