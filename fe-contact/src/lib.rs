@@ -1,6 +1,8 @@
 //! Contact: laws, pairs of surfaces, projection and search. Everything passes through one
 //! [`point::ContactPoint`], so that laws, enforcement and output are written once.
 
+#![cfg_attr(test, allow(clippy::unwrap_used))]
+
 pub mod first_contact;
 pub mod interaction;
 pub mod law;
