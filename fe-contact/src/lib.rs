@@ -3,6 +3,7 @@
 
 #![cfg_attr(test, allow(clippy::unwrap_used))]
 
+pub mod facet;
 pub mod first_contact;
 pub mod interaction;
 pub mod law;
