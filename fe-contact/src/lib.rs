@@ -3,12 +3,15 @@
 
 #![cfg_attr(test, allow(clippy::unwrap_used))]
 
+pub mod error;
 pub mod facet;
 pub mod first_contact;
 pub mod interaction;
 pub mod law;
+pub mod overlap;
 pub mod pair;
 pub mod point;
+pub mod polygon;
 pub mod rigid;
 pub mod search;
 pub mod surface;
