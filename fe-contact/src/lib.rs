@@ -3,15 +3,19 @@
 
 #![cfg_attr(test, allow(clippy::unwrap_used))]
 
+pub mod closest;
 pub mod error;
 pub mod facet;
 pub mod first_contact;
 pub mod interaction;
 pub mod law;
+pub mod node_to_surface;
 pub mod overlap;
 pub mod pair;
 pub mod point;
 pub mod polygon;
 pub mod rigid;
 pub mod search;
+pub mod share;
 pub mod surface;
+pub mod surface_to_surface;
