@@ -3,6 +3,7 @@
 
 #![cfg_attr(test, allow(clippy::unwrap_used))]
 
+mod build;
 pub mod closest;
 pub mod error;
 pub mod facet;
@@ -17,5 +18,15 @@ pub mod polygon;
 pub mod rigid;
 pub mod search;
 pub mod share;
+pub mod sides;
+pub mod state;
+pub mod stiffness;
+pub mod summary;
 pub mod surface;
 pub mod surface_to_surface;
+mod term;
+#[cfg(test)]
+mod tests;
+
+pub use error::PairError;
+pub use pair::Pair;

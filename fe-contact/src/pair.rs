@@ -1,6 +1,14 @@
 //! A contact pair: its definition, and the term that it becomes.
 
+use crate::facet::Vec3;
+use crate::law::NormalLaw;
+use crate::point::ContactPoint;
+use crate::sides::Prepared;
+use crate::summary::Summary;
 use crate::surface::{Main, Secondary};
+use std::collections::BTreeMap;
+use std::ops::Range;
+use std::sync::Arc;
 
 /// How the constraint is spread over the secondary surface.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -37,4 +45,62 @@ pub struct PairDefinition {
     pub discretization: Discretization,
     /// Strain-free adjustment.
     pub adjust: Option<Adjust>,
+}
+
+/// A pair as a term: its points, linearised at the reference geometry (small displacements, infinitesimal
+/// sliding), and the law that they share.
+#[derive(Debug)]
+pub struct Pair {
+    pub(crate) name: String,
+    /// The points, by ascending secondary node.
+    pub points: Vec<ContactPoint>,
+    /// Freedoms of each point's nodes.
+    pub(crate) places: Vec<Vec<Range<usize>>>,
+    pub(crate) law: Arc<dyn NormalLaw>,
+    /// Gaps [L] this near to the law's kink touch.
+    pub(crate) touch: f64,
+    pub(crate) summary: Summary,
+    pub(crate) notes: Vec<String>,
+    pub(crate) sides: Prepared,
+    /// Places of the nodes of both sides.
+    pub(crate) positions: BTreeMap<u32, Vec3>,
+    /// Components of the reference node of a rigid main side.
+    pub(crate) reference: Option<(u32, Vec<usize>)>,
+}
+
+impl Pair {
+    /// `SECONDARY on MAIN`.
+    pub fn name(&self) -> &str {
+        &self.name
+    }
+
+    /// What the pair turned out to be.
+    pub fn summary(&self) -> Summary {
+        self.summary
+    }
+
+    /// Remarks on the surfaces and on the discretization, a line each.
+    pub fn notes(&self) -> &[String] {
+        &self.notes
+    }
+
+    /// The law of all points.
+    pub fn law(&self) -> &dyn NormalLaw {
+        &*self.law
+    }
+
+    /// Nodes of the secondary side, ascending, with or without a constraint.
+    pub fn secondary_nodes(&self) -> &[u32] {
+        &self.sides.secondary_nodes
+    }
+
+    /// Nodes of the main side, ascending; the reference node of a rigid one.
+    pub fn main_nodes(&self) -> &[u32] {
+        &self.sides.main_nodes
+    }
+
+    /// Largest number of freedoms that one point couples.
+    pub fn widest(&self) -> usize {
+        self.points.iter().map(|p| p.row.len()).max().unwrap_or(0)
+    }
 }

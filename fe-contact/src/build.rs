@@ -1,0 +1,235 @@
+//! How a definition becomes a pair: surfaces checked, points found, the law resolved.
+
+use crate::closest::EXTENSION;
+use crate::error::PairError;
+use crate::facet::{Facet, Vec3};
+use crate::interaction::{Enforcement, Interaction, NormalBehavior};
+use crate::law::NormalLaw;
+use crate::law::linear::Linear;
+use crate::node_to_surface::{self, Node};
+use crate::overlap::Sides;
+use crate::pair::{Discretization, Pair, PairDefinition};
+use crate::point::{ContactPoint, Measure};
+use crate::search::{Bounds, Grid};
+use crate::sides::{Prepared, characteristic_length};
+use crate::stiffness;
+use crate::summary::{MeasureKind, PenaltySummary, Summary};
+use crate::surface::{Main, Secondary};
+use crate::surface_to_surface::{self, Constraints, RigidSide};
+use fe_core::{Freedoms, Structure};
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+impl Pair {
+    /// Finds the points of a definition.
+    pub fn new(
+        structure: &Structure,
+        freedoms: &Freedoms,
+        definition: &PairDefinition,
+        interaction: &Interaction,
+    ) -> Result<Self, PairError> {
+        check_numbers(interaction)?;
+        let mut sides = Prepared::new(structure, definition, interaction)?;
+        let discretization = settle(definition, &mut sides)?;
+        let deepest = deepest(definition, &sides, interaction);
+        let constraints = constrain(structure, definition, &sides, (discretization, deepest));
+        if let Some((depth, node)) = constraints.too_deep {
+            let (secondary, main) = (definition.secondary_name.clone(), definition.main_name.clone());
+            return Err(PairError::TooDeep { node, depth, limit: deepest, secondary, main });
+        }
+        remark(definition, &constraints, (discretization, &mut sides.notes));
+        let reference = match &definition.main {
+            Main::Rigid { reference, .. } => Some(*reference),
+            Main::Faces(_) => None,
+        };
+        let measure = measures(definition, &sides, interaction, discretization);
+        let points: Vec<ContactPoint> = constraints
+            .shares
+            .into_iter()
+            .map(|s| {
+                let measure = measure(s.node, s.weight);
+                s.into_point(measure, freedoms, reference)
+            })
+            .collect();
+        let (law, penalty, beneath) = resolve(structure, &sides, definition, interaction)?;
+        let place = |&n: &u32| freedoms.of_node(n as usize);
+        let both = sides.secondary_nodes.iter().chain(&sides.main_nodes);
+        Ok(Pair {
+            name: format!("{} on {}", definition.secondary_name, definition.main_name),
+            places: points.iter().map(|p| p.nodes.iter().map(place).collect()).collect(),
+            law,
+            touch: TOUCH * model_size(structure),
+            summary: Summary {
+                discretization,
+                penalty,
+                beneath,
+                points: points.len(),
+                measure: points.first().map_or(MeasureKind::Pressure, |p| MeasureKind::of(p.measure)),
+            },
+            notes: std::mem::take(&mut sides.notes),
+            positions: both.map(|&n| (n, Vec3::from(structure.mesh.points[n as usize]))).collect(),
+            reference: reference.map(|n| (n, place(&n).map(|f| freedoms.component(f)).collect())),
+            points,
+            sides,
+        })
+    }
+}
+
+/// A gap that near to the kink of the law, of the model's size, touches [-].
+const TOUCH: f64 = 1e-12;
+
+/// Diagonal [L] of the box around all points.
+fn model_size(structure: &Structure) -> f64 {
+    let points: Vec<Vec3> = structure.mesh.points.iter().map(|&p| p.into()).collect();
+    Bounds::around(&points, 0.0).diagonal()
+}
+
+fn check_numbers(interaction: &Interaction) -> Result<(), PairError> {
+    let mut numbers = vec![("the thickness or area on its data line", interaction.measure)];
+    if let NormalBehavior::Hard(Enforcement::Penalty { stiffness, scale, .. }) = interaction.normal {
+        numbers.push(("the penalty stiffness", stiffness));
+        numbers.push(("the scale factor of the penalty stiffness", Some(scale)));
+    }
+    for (what, value) in numbers {
+        if let Some(value) = value
+            && !(value > 0.0 && value.is_finite())
+        {
+            return Err(PairError::NotPositive { interaction: interaction.name.clone(), what, value });
+        }
+    }
+    Ok(())
+}
+
+/// The discretization that the surfaces allow.
+fn settle(definition: &PairDefinition, sides: &mut Prepared) -> Result<Discretization, PairError> {
+    use Discretization::*;
+    let mut discretization = definition.discretization;
+    if discretization == SurfaceToSurface && matches!(definition.secondary, Secondary::Nodes(_)) {
+        discretization = NodeToSurface;
+        sides.notes.push(format!(
+            "surface {} is a set of nodes: node to surface is used instead of surface to surface",
+            definition.secondary_name
+        ));
+    }
+    if discretization == NodeToSurface {
+        let named = [(&sides.secondary, &definition.secondary_name), (&sides.main, &definition.main_name)];
+        for (facets, name) in named {
+            if !facets.iter().all(Facet::is_linear) {
+                return Err(PairError::MidSideNodes { surface: name.clone() });
+            }
+        }
+    }
+    Ok(discretization)
+}
+
+/// Largest overclosure [L] believed: half the secondary facets' length; of a set of nodes half the main facets', or
+/// half of √area; without any length, whatever there is.
+fn deepest(definition: &PairDefinition, sides: &Prepared, interaction: &Interaction) -> f64 {
+    let of_nodes = || {
+        let Secondary::Nodes(list) = &definition.secondary else { return None };
+        list.iter().filter_map(|n| n.1.or(interaction.measure)).reduce(f64::max).map(f64::sqrt)
+    };
+    let length =
+        characteristic_length(&sides.secondary).or_else(|| characteristic_length(&sides.main)).or_else(of_nodes);
+    length.map_or(f64::INFINITY, |l| 0.5 * l)
+}
+
+fn constrain(
+    structure: &Structure,
+    definition: &PairDefinition,
+    sides: &Prepared,
+    (discretization, deepest): (Discretization, f64),
+) -> Constraints {
+    let nodes = || secondary_points(structure, sides);
+    if let Main::Rigid { surface, reference } = &definition.main {
+        let position = structure.mesh.points[*reference as usize].into();
+        let main = RigidSide { surface, reference: *reference, position };
+        return match discretization {
+            Discretization::SurfaceToSurface => surface_to_surface::rigid(&sides.secondary, main, deepest),
+            Discretization::NodeToSurface => node_to_surface::rigid(&nodes(), main, deepest),
+        };
+    }
+    let secondary_grid = Grid::of_facets(&sides.secondary, 1e-6);
+    // Normals of curved neighbours may lead a little past a facet.
+    let main_grid = Grid::of_facets(&sides.main, EXTENSION);
+    let both = Sides::new((&sides.secondary, &secondary_grid), (&sides.main, &main_grid), deepest);
+    match discretization {
+        Discretization::SurfaceToSurface => surface_to_surface::deformable(&both),
+        Discretization::NodeToSurface => node_to_surface::deformable(&nodes(), &both),
+    }
+}
+
+/// The secondary nodes with normals and areas, where there are facets.
+pub(crate) fn secondary_points(structure: &Structure, sides: &Prepared) -> Vec<Node> {
+    if sides.secondary.is_empty() {
+        let node =
+            |&node: &u32| Node { node, x: structure.mesh.points[node as usize].into(), outward: None, area: 1.0 };
+        return sides.secondary_nodes.iter().map(node).collect();
+    }
+    node_to_surface::nodes_of(&sides.secondary)
+}
+
+fn remark(
+    definition: &PairDefinition,
+    constraints: &Constraints,
+    (discretization, notes): (Discretization, &mut Vec<String>),
+) {
+    let (secondary, main) = (&definition.secondary_name, &definition.main_name);
+    if constraints.shares.is_empty() {
+        notes.push(format!("no part of surface {secondary} faces surface {main}: the pair has no effect"));
+    }
+    if constraints.hidden > 0 {
+        notes.push(format!(
+            "surface {main} lies in several layers before surface {secondary}: the nearest counts ({} facets are hidden)",
+            constraints.hidden
+        ));
+    }
+    if discretization == Discretization::NodeToSurface && matches!(definition.main, Main::Faces(_)) {
+        notes.push(format!(
+            "{secondary} on {main}, node to surface: a constant pressure is not passed on exactly where the meshes do not \
+             match; TYPE=SURFACE TO SURFACE does"
+        ));
+    }
+}
+
+/// How much surface each node stands for; the second argument is the area of the overlap.
+fn measures(
+    definition: &PairDefinition,
+    sides: &Prepared,
+    interaction: &Interaction,
+    discretization: Discretization,
+) -> impl Fn(u32, f64) -> Measure + use<> {
+    let areas: BTreeMap<u32, Measure> = match (&definition.secondary, discretization) {
+        (Secondary::Faces(_), Discretization::SurfaceToSurface) => BTreeMap::new(),
+        (Secondary::Faces(_), Discretization::NodeToSurface) => {
+            node_to_surface::nodes_of(&sides.secondary).iter().map(|n| (n.node, Measure::Area(n.area))).collect()
+        }
+        (Secondary::Nodes(list), _) => {
+            let area = |a: Option<f64>| a.or(interaction.measure).map_or(Measure::Point, Measure::Area);
+            list.iter().rev().map(|&(n, a)| (n, area(a))).collect()
+        }
+    };
+    move |node, overlap| areas.get(&node).copied().unwrap_or(Measure::Area(overlap))
+}
+
+type Resolved = (Arc<dyn NormalLaw>, Option<PenaltySummary>, Option<f64>);
+
+fn resolve(
+    structure: &Structure,
+    sides: &Prepared,
+    definition: &PairDefinition,
+    interaction: &Interaction,
+) -> Result<Resolved, PairError> {
+    let each = [&sides.secondary, &sides.main].map(|facets| stiffness::beneath(structure, facets));
+    let beneath = each.into_iter().flatten().reduce(f64::min);
+    let (stiffness, clearance, scale) = match &interaction.normal {
+        NormalBehavior::Softened(law) => return Ok((Arc::clone(law), None, beneath)),
+        NormalBehavior::Hard(Enforcement::Penalty { stiffness, clearance, scale }) => (*stiffness, *clearance, *scale),
+    };
+    let none =
+        || PairError::NoStiffness { secondary: definition.secondary_name.clone(), main: definition.main_name.clone() };
+    let base = stiffness.or(beneath.map(|k| stiffness::PENALTY_FACTOR * k)).ok_or_else(none)?;
+    let slope = scale * base;
+    let penalty = PenaltySummary { stiffness: slope, by_default: stiffness.is_none(), scale, clearance };
+    Ok((Arc::new(Linear { slope, clearance }), Some(penalty), beneath))
+}

@@ -1,0 +1,72 @@
+//! What a pair turned out to be: for the plan of a step.
+
+use crate::pair::Discretization;
+use crate::point::Measure;
+
+/// What the law's number is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum MeasureKind {
+    /// A pressure [F/L²].
+    Pressure,
+    /// A force per length [F/L].
+    ForcePerLength,
+    /// A force [F].
+    Force,
+}
+
+impl MeasureKind {
+    /// Of a point.
+    pub fn of(measure: Measure) -> Self {
+        match measure {
+            Measure::Area(_) => MeasureKind::Pressure,
+            Measure::Length(_) => MeasureKind::ForcePerLength,
+            Measure::Point => MeasureKind::Force,
+        }
+    }
+
+    /// As messages say it.
+    pub fn words(self) -> &'static str {
+        match self {
+            MeasureKind::Pressure => "pressure",
+            MeasureKind::ForcePerLength => "force per length",
+            MeasureKind::Force => "force",
+        }
+    }
+
+    /// Dimension of a stiffness against the gap.
+    pub fn stiffness_dimension(self) -> &'static str {
+        match self {
+            MeasureKind::Pressure => "F/L³",
+            MeasureKind::ForcePerLength => "F/L²",
+            MeasureKind::Force => "F/L",
+        }
+    }
+}
+
+/// The penalty of a hard pair, resolved.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PenaltySummary {
+    /// Slope f K of pressure against overclosure (dimension by [`Summary::measure`]).
+    pub stiffness: f64,
+    /// True when K is the default.
+    pub by_default: bool,
+    /// Factor f [-].
+    pub scale: f64,
+    /// Clearance [L] at which the pressure vanishes.
+    pub clearance: f64,
+}
+
+/// What a pair turned out to be.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Summary {
+    /// How the constraint is spread, after what the surfaces allow.
+    pub discretization: Discretization,
+    /// The penalty; `None` for a softened law.
+    pub penalty: Option<PenaltySummary>,
+    /// Stiffness k_e [F/L³] of the elements beneath; the least of both sides.
+    pub beneath: Option<f64>,
+    /// Number of points.
+    pub points: usize,
+    /// What the law's number is (points with and without areas in one pair: that of the first).
+    pub measure: MeasureKind,
+}

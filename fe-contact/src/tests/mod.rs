@@ -1,0 +1,6 @@
+//! Tests over whole pairs.
+
+mod scene;
+mod transmission;
+mod unit_rule;
+mod work;

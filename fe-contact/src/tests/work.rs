@@ -1,0 +1,155 @@
+//! A pair is a term: force is the slope of energy, stiffness the slope of force; rigid motions of the whole do not
+//! move a gap; the threads change no bit.
+
+use super::scene::*;
+use crate::facet::Vec3;
+use crate::pair::{Discretization, Pair};
+use crate::point::ContactStatus;
+use crate::rigid::{Piece, RigidSurface, Sweep};
+use crate::surface::Main;
+use fe_core::element::ElementType::*;
+use fe_core::{Assembly, BlockMatrix, Couplings, Freedoms, Motion, Pattern, Term};
+use std::sync::Arc;
+
+/// Curved faces of both kinds, partly overlapping.
+fn curved() -> Scene {
+    let mut scene = Scene::default();
+    let bend = |x: Vec3| Vec3::new(x.x, x.y - 0.05 * (x.x - 1.0) * (x.x - 1.0), x.z + 0.02 * x.x * x.y);
+    scene.block(C3D10, [3, 1, 2], move |r| turned(bend(Vec3::new(2.0 * r.x, 0.98 + r.y, 1.7 * r.z))));
+    scene.block(C3D8, [2, 1, 3], move |r| turned(bend(Vec3::new(0.2 + 1.9 * r.x, r.y, 2.0 * r.z))));
+    scene
+}
+
+fn deformable() -> (Scene, Freedoms, Pair) {
+    let scene = curved();
+    let pair =
+        surfaces(scene.faces(0, |r| r[1] == 0.0), scene.faces(1, |r| r[1] == 1.0), Discretization::SurfaceToSurface);
+    let (freedoms, pair) = (scene.freedoms(), scene.pair(&pair, &linear()));
+    (scene, freedoms, pair)
+}
+
+/// Against a rigid sphere whose reference node is off its centre.
+fn on_sphere(discretization: Discretization) -> (Scene, Freedoms, Pair) {
+    let mut scene = Scene::default();
+    let element = if discretization == Discretization::SurfaceToSurface { C3D10 } else { C3D8 };
+    scene.block(element, [3, 1, 3], |r| Vec3::new(r.x - 0.5, r.y - 0.02, r.z - 0.5));
+    let reference = scene.node([0.3, -1.0, 0.2]);
+    let surface = RigidSurface {
+        name: "R".into(),
+        sweep: Sweep::Revolution { origin: [0.0, -3.0, 0.0], axis: [0.0, 1.0, 0.0] },
+        start: [0.0, 3.0],
+        pieces: vec![Piece::Arc { to: [3.0, 0.0], center: [0.0, 0.0] }],
+    };
+    let mut pair = surfaces(scene.faces(0, |r| r[1] == 0.0), Vec::new(), discretization);
+    pair.main = Main::Rigid { surface, reference };
+    let freedoms = scene.structure.freedoms(&[reference]);
+    let pair = Pair::new(&scene.structure, &freedoms, &pair, &linear()).unwrap();
+    (scene, freedoms, pair)
+}
+
+struct Answer {
+    residual: Vec<f64>,
+    energy: f64,
+    stiffness: BlockMatrix,
+    changes: usize,
+}
+
+fn evaluate(pair: &Pair, freedoms: &Freedoms, u: &[f64], history: &mut [f64]) -> Answer {
+    let mut couplings = Couplings::new(freedoms.nodes());
+    pair.couplings(&mut couplings);
+    let mut stiffness = BlockMatrix::zero(Arc::new(Pattern::new(freedoms, &couplings)));
+    let mut residual = vec![0.0; freedoms.len()];
+    let mut out = Assembly { residual: &mut residual, stiffness: Some(&mut stiffness), energy: 0.0, status_changes: 0 };
+    let at = Motion { u, du: u, step_time: 1.0, total_time: 1.0, dt: 1.0 };
+    pair.evaluate(at, &[], history, &mut out).unwrap();
+    let (energy, changes) = (out.energy, out.status_changes);
+    Answer { residual, energy, stiffness, changes }
+}
+
+/// Central differences of a quadratic (no gap passes its kink within the step) are exact: what remains is round-off
+/// of the energy over the step, 1e-15/1e-6.
+fn check_slopes((_, freedoms, pair): (Scene, Freedoms, Pair)) {
+    let mut next = numbers(7);
+    let n = freedoms.len();
+    let u: Vec<f64> = (0..n).map(|_| 0.1 * next()).collect();
+    let direction: Vec<f64> = (0..n).map(|_| next()).collect();
+    let step = 1e-6;
+    let moved = |s: f64| -> Vec<f64> { u.iter().zip(&direction).map(|(u, d)| u + s * step * d).collect() };
+    let mut history = vec![0.0; pair.history()];
+    let open = (0..pair.points.len()).filter(|&i| pair.opening(i, &u) > 0.0).count();
+    assert!((1..pair.points.len()).contains(&open), "both states are there");
+    assert!((0..pair.points.len()).all(|i| pair.opening(i, &u).abs() > 20.0 * step));
+    let [at, low, high] = [0.0, -1.0, 1.0].map(|s| evaluate(&pair, &freedoms, &moved(s), &mut history));
+    let work: f64 = at.residual.iter().zip(&direction).map(|(r, d)| r * d).sum();
+    let slope = (high.energy - low.energy) / (2.0 * step);
+    assert!((work - slope).abs() < 1e-8 * work.abs().max(1.0), "{work} {slope}");
+    let mut change = vec![0.0; n];
+    at.stiffness.multiply_add(&direction, &mut change);
+    let largest = change.iter().fold(0.0f64, |a, b| a.max(b.abs()));
+    for i in 0..n {
+        let slope = (high.residual[i] - low.residual[i]) / (2.0 * step);
+        assert!((slope - change[i]).abs() < 1e-8 * largest, "{i}");
+    }
+}
+
+#[test]
+fn force_and_stiffness_are_slopes() {
+    check_slopes(deformable());
+    check_slopes(on_sphere(Discretization::SurfaceToSurface));
+    check_slopes(on_sphere(Discretization::NodeToSurface));
+}
+
+/// u = a + θ × x of everything, the reference node turning too, changes no gap: action and reaction meet on one line.
+#[test]
+fn a_rigid_motion_of_all_changes_no_gap() {
+    let cases = [deformable(), on_sphere(Discretization::SurfaceToSurface), on_sphere(Discretization::NodeToSurface)];
+    for (scene, freedoms, pair) in cases {
+        let (shift, turn) = (Vec3::new(0.3, -0.7, 0.2), Vec3::new(0.5, 0.4, -0.9));
+        let u: Vec<f64> = (0..freedoms.len())
+            .map(|f| match freedoms.component(f) {
+                c @ 0..3 => (shift + turn.cross(&Vec3::from(scene.structure.mesh.points[freedoms.node(f)])))[c],
+                c => turn[c - 3],
+            })
+            .collect();
+        for i in 0..pair.points.len() {
+            assert!(pair.rate(i, &u).abs() < 1e-13);
+        }
+        let state = pair.state(&vec![0.0; freedoms.len()]);
+        let balance = |a: [f64; 3], b: [f64; 3]| (Vec3::from(a) + Vec3::from(b)).norm();
+        assert!(Vec3::from(state.secondary.force).norm() > 1e-3);
+        assert!(balance(state.secondary.force, state.main.force) < 1e-13);
+        assert!(balance(state.secondary.moment, state.main.moment) < 1e-12);
+    }
+}
+
+/// A point that just touches has the stiffness of the closed side and no force; changes of status are counted once.
+#[test]
+fn touching_is_closed_and_changes_are_counted() {
+    let mut scene = Scene::default();
+    scene.block(CPE4, [3, 1, 0], |r| Vec3::new(r.x, 1.0 + r.y, 0.0));
+    scene.block(CPE4, [2, 1, 0], |r| Vec3::new(r.x, r.y, 0.0));
+    let pair =
+        surfaces(scene.faces(0, |r| r[1] == 0.0), scene.faces(1, |r| r[1] == 1.0), Discretization::SurfaceToSurface);
+    let (pair, freedoms) = (scene.pair(&pair, &linear()), scene.freedoms());
+    let u = vec![0.0; freedoms.len()];
+    let mut history = vec![0.0; pair.history()];
+    let first = evaluate(&pair, &freedoms, &u, &mut history);
+    assert_eq!(first.changes, 4);
+    assert!(first.residual.iter().all(|r| r.abs() < 1e-12) && first.stiffness.largest_diagonal() > 1.0);
+    assert_eq!(evaluate(&pair, &freedoms, &u, &mut history).changes, 0);
+    assert!(pair.state(&u).points.iter().all(|p| p.status == ContactStatus::Closed));
+    let mut lifted = u.clone();
+    pair.secondary_nodes().iter().for_each(|&n| lifted[freedoms.index(n as usize, 1).unwrap()] = 1e-9);
+    let open = evaluate(&pair, &freedoms, &lifted, &mut history);
+    assert_eq!((open.changes, open.energy, open.stiffness.largest_diagonal()), (4, 0.0, 0.0));
+}
+
+#[test]
+fn any_number_of_threads_gives_the_same_bits() {
+    let on = |threads| {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+        pool.install(|| deformable().2.points)
+    };
+    let one = on(1);
+    assert!(one == on(2) && one == on(8));
+}
