@@ -5,6 +5,7 @@
 #![cfg_attr(test, allow(clippy::unwrap_used))]
 
 pub mod cell;
+pub mod check;
 pub mod generate;
 pub mod gmsh;
 pub mod mesh;
