@@ -90,8 +90,10 @@ def every_kind():
     """One element of every kind that is read, at gmsh's own reference coordinates, each shifted by 4 in x."""
     gmsh.clear()
     node, element = 1, 1
-    for number in range(1, 20):
-        name, dimension, _, nodes, local, _ = gmsh.model.mesh.getElementProperties(number)
+    # Numbers follow the entities, as those of format 2.2 do.
+    kinds = sorted((gmsh.model.mesh.getElementProperties(number)[1], number) for number in range(1, 20))
+    for dimension, number in kinds:
+        _, _, _, nodes, local, _ = gmsh.model.mesh.getElementProperties(number)
         entity = gmsh.model.addDiscreteEntity(dimension, number)
         tags = list(range(node, node + nodes))
         coordinates = []
