@@ -1,1 +1,15 @@
-//! Results: the HDF5 file and the tables.
+//! Results: the HDF5 file that viewers open.
+
+mod container;
+mod error;
+pub mod fields;
+pub mod grid;
+pub mod hdf5;
+pub mod history;
+mod steps;
+
+pub use error::ResultsError;
+pub use fields::{FieldInfo, Location};
+pub use grid::{Grid, GridBlock};
+pub use hdf5::{Frame, JobInfo, ResultsFile};
+pub use history::{HistoryInfo, HistoryRow};
