@@ -38,3 +38,6 @@ pub trait LinearSolver: Send {
 }
 
 pub mod multifrontal;
+pub mod ordering;
+
+pub use multifrontal::Multifrontal;

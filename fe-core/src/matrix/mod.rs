@@ -74,18 +74,23 @@ impl BlockMatrix {
         }
     }
 
-    /// Largest diagonal entry.
-    pub fn largest_diagonal(&self) -> f64 {
+    /// Diagonal entry of each freedom.
+    pub fn diagonal(&self) -> Vec<f64> {
         let p = &*self.pattern;
-        let mut largest: f64 = 0.0;
+        let mut diagonal = Vec::with_capacity(p.freedoms.len());
         for i in 0..p.nodes() {
             let n = p.freedoms.of_node(i).len();
             if n > 0 {
                 let block = &self.values[p.value_start[p.row_start[i + 1] - 1]..];
-                (0..n).for_each(|r| largest = largest.max(block[r * n + r].abs()));
+                diagonal.extend((0..n).map(|r| block[r * n + r]));
             }
         }
-        largest
+        diagonal
+    }
+
+    /// Largest diagonal entry.
+    pub fn largest_diagonal(&self) -> f64 {
+        self.diagonal().into_iter().fold(0.0, |largest, v| largest.max(v.abs()))
     }
 }
 

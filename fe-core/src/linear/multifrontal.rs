@@ -1,1 +1,0 @@
-//! The multifrontal Cholesky factorisation.

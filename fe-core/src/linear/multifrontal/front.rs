@@ -1,0 +1,145 @@
+//! Assembles a front from the matrix and from what the children left, and eliminates its columns.
+
+use super::dense::{eliminate, share};
+use super::symbolic::{Entry, Supernode, Symbolic};
+use super::trapezoid::Panel;
+use crate::freedoms::COMPONENTS;
+use crate::matrix::BlockMatrix;
+use std::sync::{Mutex, PoisonError};
+
+/// What a supernode left to its parent: the lower triangle of its [`Supernode::update`].
+pub(super) struct Update {
+    supernode: usize,
+    values: Vec<f64>,
+}
+
+/// Memory of updates that are no longer needed.
+#[derive(Default)]
+pub(super) struct Pool(Mutex<Vec<Vec<f64>>>);
+
+impl Pool {
+    /// At least `length` numbers of any value, in the piece of memory that fits best.
+    fn take(&self, length: usize) -> Vec<f64> {
+        if length == 0 {
+            return Vec::new();
+        }
+        let mut free = self.0.lock().unwrap_or_else(PoisonError::into_inner);
+        let fitting = (0..free.len()).filter(|&k| (length..4 * length + (1 << 16)).contains(&free[k].len()));
+        match fitting.min_by_key(|&k| free[k].len()) {
+            Some(k) => free.swap_remove(k),
+            None => {
+                drop(free);
+                vec![0.0; length]
+            }
+        }
+    }
+
+    fn give(&self, values: Vec<f64>) {
+        if !values.is_empty() {
+            self.0.lock().unwrap_or_else(PoisonError::into_inner).push(values);
+        }
+    }
+}
+
+/// What all fronts of a factorisation share.
+pub(super) struct Fronts<'a> {
+    pub symbolic: &'a Symbolic,
+    pub matrix: &'a BlockMatrix,
+    /// Of each unknown the pivot at or below which nothing holds it.
+    pub least: &'a [f64],
+    pub pool: &'a Pool,
+}
+
+impl Fronts<'_> {
+    /// Eliminates supernode `s`: `factor` receives its part of the factor; what its children left is taken from the
+    /// end of the stack. The error is the unknown whose pivot vanished.
+    pub fn visit(&self, s: usize, factor: &mut [f64], stack: &mut Vec<Update>) -> Result<(), usize> {
+        let node = &self.symbolic.supernodes[s];
+        let (front, rest) = (node.factor(), node.update());
+        let mut values = self.pool.take(rest.len());
+        let update = &mut values[..rest.len()];
+        let children = stack.len() - node.children.len();
+        let mut panels = front.split(factor);
+        panels.extend(rest.split(update).into_iter().map(|(panel, numbers)| {
+            let first = panel.first + node.columns;
+            (Panel { first, ..panel }, numbers)
+        }));
+        let brood = &stack[children..];
+        share(node.rows, panels, |(panel, numbers)| {
+            numbers.fill(0.0);
+            self.enter(node, panel, numbers);
+            brood.iter().for_each(|child| self.extend_add(child, panel, numbers));
+        });
+        stack.drain(children..).for_each(|child| self.pool.give(child.values));
+        let least = &self.least[node.unknown..node.unknown + node.columns];
+        eliminate(front, factor, update, least).map_err(|column| node.unknown + column)?;
+        stack.push(Update { supernode: s, values });
+        Ok(())
+    }
+
+    /// Copies the blocks of the matrix that fall into a panel.
+    fn enter(&self, node: &Supernode, panel: Panel, numbers: &mut [f64]) {
+        let end = panel.first + panel.width;
+        let from = node.entries.partition_point(|e| e.column as usize + COMPONENTS <= panel.first);
+        for entry in node.entries[from..].iter().take_while(|e| (e.column as usize) < end) {
+            self.enter_block(entry, panel, numbers);
+        }
+    }
+
+    fn enter_block(&self, entry: &Entry, panel: Panel, numbers: &mut [f64]) {
+        let pattern = &*self.matrix.pattern;
+        let block = entry.block as usize;
+        let (row_node, column_node) = (entry.row_node as usize, pattern.columns[block] as usize);
+        let values = &self.matrix.values[pattern.value_start[block]..pattern.value_start[block + 1]];
+        let stride = pattern.freedoms.of_node(column_node).len();
+        let masks = (self.symbolic.masks[row_node], self.symbolic.masks[column_node]);
+        let (row_mask, column_mask, down, right) =
+            if entry.transposed { (masks.1, masks.0, 1, stride) } else { (masks.0, masks.1, stride, 1) };
+        for (column, c) in (entry.column as usize..).zip(bits(column_mask)) {
+            if column < panel.first || column >= panel.first + panel.width {
+                continue;
+            }
+            for (row, r) in (entry.row as usize..).zip(bits(row_mask)) {
+                if row >= column {
+                    numbers[panel.below(row, column).start] = values[r * down + c * right];
+                }
+            }
+        }
+    }
+
+    /// Adds what falls into a panel of what a child left.
+    fn extend_add(&self, child: &Update, panel: Panel, numbers: &mut [f64]) {
+        let left = &self.symbolic.supernodes[child.supernode];
+        let (runs, source) = (&left.runs, left.update());
+        let (first, end) = (panel.first, panel.first + panel.width);
+        for (k, run) in runs.iter().enumerate() {
+            let (to, from) = (run.to as usize, run.from as usize);
+            if to >= end {
+                break;
+            }
+            for column in to.max(first)..(to + run.length as usize).min(end) {
+                let source_column = column - to + from;
+                let from_panel = source.panel_of(source_column);
+                let range = from_panel.below(source_column, source_column);
+                let values = &child.values[from_panel.start + range.start..from_panel.start + range.end];
+                let target = &mut numbers[panel.below(column, column)];
+                for run in &runs[k..] {
+                    let skip = source_column.saturating_sub(run.from as usize);
+                    let (at, length) = (run.from as usize + skip - source_column, run.length as usize - skip);
+                    let to = run.to as usize + skip - column;
+                    add(&mut target[to..to + length], &values[at..at + length]);
+                }
+            }
+        }
+    }
+}
+
+#[inline]
+fn add(target: &mut [f64], source: &[f64]) {
+    target.iter_mut().zip(source).for_each(|(t, s)| *t += s);
+}
+
+/// Which bits of a mask are set, ascending.
+fn bits(mask: u8) -> impl Iterator<Item = usize> {
+    (0..u8::BITS as usize).filter(move |&k| mask >> k & 1 == 1)
+}
