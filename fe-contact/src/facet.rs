@@ -245,7 +245,7 @@ impl Facet {
             let step = Matrix3::from_columns(&[a, b, *direction]).lu().solve(&r)?;
             xi = [xi[0] + step.x, xi[1] + step.y];
             g += step.z;
-            if !(xi[0].abs() < 10.0 && xi[1].abs() < 10.0) && !self.is_edge() {
+            if !(self.is_edge() || xi[0].abs() < 10.0 && xi[1].abs() < 10.0) {
                 return None;
             }
         }

@@ -3,6 +3,7 @@
 
 #![cfg_attr(test, allow(clippy::unwrap_used))]
 
+pub mod adjust;
 mod build;
 pub mod closest;
 pub mod error;
@@ -27,6 +28,7 @@ pub mod surface_to_surface;
 mod term;
 #[cfg(test)]
 mod tests;
+pub mod verify;
 
 pub use error::PairError;
 pub use pair::Pair;

@@ -69,7 +69,7 @@ pub fn deformable(nodes: &[Node], sides: &Sides) -> Constraints {
             }
             Found::TooDeep(foot) => {
                 let outside = -foot.normal;
-                if n.outward.is_none() || !sides.leaves_own_body(&[n.node], &n.x, &outside, -foot.gap) {
+                if n.outward.is_none() || !sides.is_no_entry(&[n.node], &n.x, &outside, -foot.gap) {
                     part.too_deep = Some((-foot.gap, n.node));
                 }
             }

@@ -169,7 +169,7 @@ impl<'a> Sides<'a> {
                 } else if polygon::area(&piece.polygon) > 1e-6 * polygon::area(&flat.corners) {
                     let from = plane.point(&polygon::middle(&piece.polygon));
                     let deeper = meeting.too_deep.is_none_or(|(d, _)| piece.depth.0 > d);
-                    if deeper && !self.leaves_own_body(facet.nodes(), &from, &plane.normal, -piece.gap) {
+                    if deeper && !self.is_no_entry(facet.nodes(), &from, &plane.normal, -piece.gap) {
                         meeting.too_deep = Some(piece.depth);
                     }
                 }
@@ -258,18 +258,31 @@ impl<'a> Sides<'a> {
         (0..pieces.len()).map(|i| find(&mut root, i)).collect()
     }
 
-    /// True when the way from a point of a secondary facet inward comes out of its own surface first: what lies
-    /// further is not entered by this facet. `outward` is the facet's normal; facets with one of `nodes` do not count.
-    pub fn leaves_own_body(&self, nodes: &[u32], from: &Vec3, outward: &Vec3, depth: f64) -> bool {
+    /// True when the way from a point of a secondary facet inward comes out of its own surface, or enters the main
+    /// body, before it comes out of the main body at `depth`: the point is then not inside of the main body.
+    /// `outward` is the facet's normal; secondary facets with one of `nodes` do not count.
+    pub fn is_no_entry(&self, nodes: &[u32], from: &Vec3, outward: &Vec3, depth: f64) -> bool {
         let start = Bounds::around(&[*from], 1e-9 * self.reach);
-        self.secondary_grid.swept(&start, outward, -depth, 0.0).into_iter().any(|j| {
+        let crosses = |facet: &Facet, least: f64, most: f64| {
+            facet
+                .project(from, outward, facet.centre())
+                .is_some_and(|(xi, g)| g >= least && g <= most && facet.outside(xi) <= 1e-9)
+        };
+        // Flush faces count as crossed first.
+        let flush = 1e-6 * depth;
+        let leaves = |j: u32| {
             let facet = &self.secondary[j as usize];
             facet.normal.dot(outward) < -FACING
                 && !facet.nodes().iter().any(|n| nodes.contains(n))
-                && facet
-                    .project(from, outward, facet.centre())
-                    .is_some_and(|(xi, g)| g > 0.0 && g < depth && facet.outside(xi) <= 1e-9)
-        })
+                && crosses(facet, flush, depth + flush)
+        };
+        let enters = |j: u32| {
+            let facet = &self.main[j as usize];
+            facet.normal.dot(outward) > FACING && crosses(facet, -flush, depth - flush)
+        };
+        let reach = depth + 2.0 * flush;
+        self.secondary_grid.swept(&start, outward, -reach, flush).into_iter().any(leaves)
+            || self.main_grid.swept(&start, outward, -reach, flush).into_iter().any(enters)
     }
 
     /// Points of integration on a piece, taken to both true faces.

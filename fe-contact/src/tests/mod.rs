@@ -1,5 +1,6 @@
 //! Tests over whole pairs.
 
+mod robustness;
 mod scene;
 mod transmission;
 mod unit_rule;
