@@ -237,10 +237,8 @@ fn node_orders_are_those_of_the_decks() {
         let means = [&edges[..], centres(kind)].concat();
         let corners = kind.nodes() - means.len();
         for (node, of) in means.iter().enumerate() {
-            for k in 0..3 {
-                let mean = of.iter().map(|&corner| points[corner][k]).sum::<f64>() / of.len() as f64;
-                assert_eq!(points[corners + node][k], mean, "{kind:?} node {}", corners + node);
-            }
+            let mean = |k: usize| of.iter().map(|&corner| points[corner][k]).sum::<f64>() / of.len() as f64;
+            assert_eq!(points[corners + node], [mean(0), mean(1), mean(2)], "{kind:?} node {}", corners + node);
         }
         assert!(matches!(corners, 4 | 5 | 6 | 8), "{kind:?} {corners}");
     }

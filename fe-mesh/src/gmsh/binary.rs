@@ -68,6 +68,17 @@ impl Source for Binary<'_> {
         }
     }
 
+    #[inline]
+    fn sizes(&mut self, values: &mut [u64]) -> bool {
+        let Encoding { big_endian: false, size_bytes: 8 } = self.encoding else { return false };
+        let Some(bytes) = self.bytes[self.at..].get(..8 * values.len()) else { return false };
+        for (value, bytes) in values.iter_mut().zip(bytes.as_chunks::<8>().0) {
+            *value = u64::from_le_bytes(*bytes);
+        }
+        self.at += bytes.len();
+        true
+    }
+
     fn count_line(&mut self) -> Result<u64, Fault> {
         let mut text = Text::new(self.bytes, self.at);
         let value = text.size()?;

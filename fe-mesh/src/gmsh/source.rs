@@ -16,6 +16,10 @@ pub(super) trait Source {
     fn end(&mut self) -> Result<(), Fault>;
     /// The next count or tag (`size_t`).
     fn size(&mut self) -> Result<u64, Fault>;
+    /// Reads many counts or tags at once, where the encoding allows it and they are there; else reads none.
+    fn sizes(&mut self, _values: &mut [u64]) -> bool {
+        false
+    }
     /// The count that opens a section of format 2.2: text in binary files too.
     fn count_line(&mut self) -> Result<u64, Fault>;
     /// The next `int`.

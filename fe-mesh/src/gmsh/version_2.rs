@@ -4,7 +4,7 @@ use super::error::Fault;
 use super::reader::{Parts, RawBlock, first_repeated};
 use super::source::{Source, count};
 use super::tags::NodeIndex;
-use super::version_4::{element_nodes, known_kind, point};
+use super::version_4::{MOST_NODES, append_points, known_kind, known_nodes, missing_node, point};
 use crate::cell::CellKind;
 use std::collections::BTreeMap;
 
@@ -139,11 +139,21 @@ fn element<S: Source>(
             _ => {}
         }
     }
+    let many = kind.nodes();
+    let mut nodes = [0; MOST_NODES];
+    let nodes = &mut nodes[..many];
+    let at = source.at();
+    for (i, node) in nodes.iter_mut().enumerate() {
+        let within = |fault: Fault| fault.within(format_args!("element {id}, node {} of {many}", i + 1));
+        *node = tag(source).map_err(within)?;
+    }
+    source.end().map_err(|fault| fault.within(format_args!("element {id} ({many} nodes)")))?;
     let block = sorted.block((kind, entity, physical));
-    element_nodes(source, tag, parts, (id, order, kind.nodes()), &mut block.nodes)?;
+    append_points(known_nodes(parts, at)?, nodes, order, &mut block.nodes)
+        .map_err(|i| missing_node(if S::BINARY { at + 4 * i } else { at }, id, nodes[i]))?;
     block.tags.push(id);
     sorted.tags.push(id);
-    source.end().map_err(|fault| fault.within(format_args!("element {id} ({} nodes)", kind.nodes())))
+    Ok(())
 }
 
 /// Merges what is the same element of one entity in several physical groups; tells whether there was any.

@@ -184,14 +184,35 @@ fn element_block<S: Source>(source: &mut S, parts: &Parts, starts: &mut Vec<usiz
     let mut nodes = Vec::with_capacity(many * kind.nodes());
     source.begin();
     starts.push(source.at());
+    let index = known_nodes(parts, source.at())?;
+    let mut record = [0; 1 + MOST_NODES];
+    let record = &mut record[..=kind.nodes()];
     for _ in 0..many {
         source.begin();
-        let tag = source.size()?;
-        element_nodes(source, S::size, parts, (tag, order, kind.nodes()), &mut nodes)?;
-        source.end().map_err(|fault| fault.within(format_args!("element {tag} ({} nodes)", kind.nodes())))?;
+        let at = source.at();
+        element_record(source, record)?;
+        let (tag, element) = (record[0], &record[1..]);
+        append_points(index, element, order, &mut nodes).map_err(|i| {
+            let at = if S::BINARY { at + (1 + i) * source.size_bytes() } else { at };
+            missing_node(at, tag, element[i])
+        })?;
         tags.push(tag);
     }
     Ok(RawBlock { kind, entity, physicals, tags, nodes })
+}
+
+/// Reads tag and nodes of an element.
+fn element_record<S: Source>(source: &mut S, record: &mut [u64]) -> Result<(), Fault> {
+    if source.sizes(record) {
+        return Ok(());
+    }
+    record[0] = source.size()?;
+    let (tag, many) = (record[0], record.len() - 1);
+    for (i, node) in record[1..].iter_mut().enumerate() {
+        let within = |fault: Fault| fault.within(format_args!("element {tag}, node {} of {many}", i + 1));
+        *node = source.size().map_err(within)?;
+    }
+    source.end().map_err(|fault| fault.within(format_args!("element {tag} ({many} nodes)")))
 }
 
 /// The kind of element with gmsh's number.
@@ -202,31 +223,32 @@ pub(super) fn known_kind(number: i32, at: usize) -> Result<(crate::CellKind, &'s
     })
 }
 
-/// Reads the nodes of one element (tag, order, node count) and appends their indices in the decks' order.
-pub(super) fn element_nodes<S: Source>(
-    source: &mut S,
-    read: impl Fn(&mut S) -> Result<u64, Fault>,
-    parts: &Parts,
-    (tag, order, many): (u64, &[u8], usize),
-    nodes: &mut Vec<u32>,
-) -> Result<(), Fault> {
-    let Some(index) = &parts.index else {
-        return Err(Fault::new(source.at(), "$Elements stands before $Nodes").allow("nodes first"));
-    };
-    let mut found = [0u32; 27];
-    for (i, place) in found[..many].iter_mut().enumerate() {
-        let at = source.at();
-        let node =
-            read(source).map_err(|fault| fault.within(format_args!("element {tag}, node {} of {many}", i + 1)))?;
-        *place = index.find(node).ok_or_else(|| {
-            Fault::new(at, format!("element {tag} has node {node}, which $Nodes does not hold"))
-                .allow("tags of nodes of the file")
-        })?;
+/// Appends the points with these tags, in the decks' order, or gives the place of the first tag that no node has.
+pub(super) fn append_points(index: &NodeIndex, tags: &[u64], order: &[u8], nodes: &mut Vec<u32>) -> Result<(), usize> {
+    let before = nodes.len();
+    for (i, &tag) in tags.iter().enumerate() {
+        nodes.push(index.find(tag).ok_or(i)?);
     }
-    if order.is_empty() {
-        nodes.extend_from_slice(&found[..many]);
-    } else {
-        nodes.extend(order.iter().map(|&from| found[from as usize]));
+    if !order.is_empty() {
+        let mut found = [0; MOST_NODES];
+        found[..tags.len()].copy_from_slice(&nodes[before..]);
+        for (node, &from) in nodes[before..].iter_mut().zip(order) {
+            *node = found[from as usize];
+        }
     }
     Ok(())
+}
+
+/// Nodes of the largest element.
+pub(super) const MOST_NODES: usize = 27;
+
+/// The index of the nodes, which elements need.
+pub(super) fn known_nodes(parts: &Parts, at: usize) -> Result<&NodeIndex, Fault> {
+    parts.index.as_ref().ok_or_else(|| Fault::new(at, "$Elements stands before $Nodes").allow("nodes first"))
+}
+
+/// An element with a node that is not there.
+pub(super) fn missing_node(at: usize, element: u64, node: u64) -> Fault {
+    Fault::new(at, format!("element {element} has node {node}, which $Nodes does not hold"))
+        .allow("tags of nodes of the file")
 }
