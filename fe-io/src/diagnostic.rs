@@ -86,9 +86,9 @@ impl Diagnostic {
         }
     }
 
-    /// Messages of one kind differ in names and numbers only.
+    /// Messages of one kind differ in numbers only.
     fn kind(&self) -> String {
-        self.title.split('`').step_by(2).flat_map(str::chars).filter(|c| !c.is_ascii_digit()).collect()
+        self.title.chars().filter(|c| !c.is_ascii_digit()).collect()
     }
 }
 
@@ -104,6 +104,8 @@ pub(crate) fn listed(words: &[&str]) -> String {
 
 /// Of one kind, no more than this many are shown; the others are counted.
 const SHOWN_OF_A_KIND: usize = 5;
+/// Nor more than this many in all.
+const SHOWN: usize = 100;
 
 /// All messages about a deck. As an error it holds at least one fault.
 #[derive(Clone, Debug, Default)]
@@ -111,6 +113,7 @@ pub struct Diagnostics {
     list: Vec<Diagnostic>,
     seen: BTreeMap<String, usize>,
     faults: usize,
+    more: usize,
     sources: Vec<Arc<Source>>,
 }
 
@@ -128,10 +131,16 @@ impl Diagnostics {
             return;
         }
         self.faults += usize::from(diagnostic.severity == Severity::Error);
+        if self.list.len() >= SHOWN {
+            self.more += 1;
+            return;
+        }
         let count = self.seen.entry(diagnostic.kind()).or_default();
         *count += 1;
         if *count <= SHOWN_OF_A_KIND {
             self.list.push(diagnostic);
+        } else {
+            self.more += 1;
         }
     }
 
@@ -178,9 +187,8 @@ impl Diagnostics {
             out.push_str(&renderer.render(&[self.group(diagnostic)]));
             out.push_str("\n\n");
         }
-        let more: usize = self.seen.values().map(|n| n.saturating_sub(SHOWN_OF_A_KIND)).sum();
-        if more > 0 {
-            out.push_str(&format!("{more} more messages of these kinds are not shown\n"));
+        if self.more > 0 {
+            out.push_str(&format!("{} more messages like these are not shown\n", self.more));
         }
         match self.faults {
             0 => {}
@@ -257,6 +265,6 @@ mod tests {
             all.push(Diagnostic::error(Span { source: 0, start: 0, end: 1 }, format!("node {node} is not there")));
         }
         assert_eq!((all.list().count(), all.faults()), (5, 100));
-        assert!(all.to_string().contains("95 more messages"));
+        assert!(all.to_string().contains("95 more messages like"));
     }
 }

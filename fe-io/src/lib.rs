@@ -12,3 +12,4 @@ pub mod results;
 pub use deck::Deck;
 pub use diagnostic::{Diagnostic, Diagnostics, Severity};
 pub use model::Model;
+pub use resolve::{Library, resolve};

@@ -8,6 +8,7 @@ pub mod source;
 
 use crate::diagnostic::Diagnostics;
 use card::{Card, Line, Lines};
+pub(crate) use scan::bytes_of;
 use source::{Source, Span};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;

@@ -6,7 +6,7 @@ pub mod row;
 mod amplitude;
 mod boundary;
 mod contact_pair;
-mod controls;
+pub(crate) mod controls;
 mod element;
 mod heading;
 mod idle;
@@ -26,6 +26,7 @@ pub(crate) mod surface_behavior;
 mod surface_interaction;
 pub mod table;
 
+pub(crate) use not_yet::STATIC as STATIC_INSTEAD;
 pub use table::{Choice, Data, DataLine, Field, FieldKind, Keyword, Kind, Level, Parameter, Repeat, Standing};
 
 /// The cards that are read, in the order of the manual.

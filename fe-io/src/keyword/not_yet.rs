@@ -1,6 +1,7 @@
 //! Cards that decks know and this program does not: refused by name, with what there is instead.
 
-const STATIC: &str = "static steps are there: `*STATIC`";
+/// Instead of another procedure.
+pub(crate) const STATIC: &str = "static steps are there: `*STATIC`";
 const ELASTIC: &str = "isotropic elasticity is there: `*ELASTIC`";
 const PAIR: &str = "pairs of surfaces are there: `*CONTACT PAIR`";
 const FRICTIONLESS: &str = "contact is frictionless: leave the card out";

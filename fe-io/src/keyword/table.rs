@@ -124,7 +124,7 @@ pub enum Repeat {
 }
 
 /// One field of a data line.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Field {
     /// Name in messages.
     pub name: &'static str,

@@ -14,14 +14,14 @@ const NOT_YET: &[&str] = &[
     "C3D6", "C3D15", "C3D20", "C3D20R", "C3D27", "C3D8R", "C3D8I", "C3D8H", "C3D8RH", "C3D20H", "C3D20RH", "C3D10M",
     "C3D10H", "C3D10MH", "C3D10T", "C3D4H", "C3D5", "C3D13", "C3D6H", "C3D15H", "CPE4R", "CPE4I", "CPE4H", "CPE4RH",
     "CPE6", "CPE6M", "CPE6H", "CPE8", "CPE8R", "CPE8H", "CPE8RH", "CPE3H", "CPS4R", "CPS4I", "CPS6", "CPS6M", "CPS8",
-    "CPS8R", "CAX4R", "CAX4I", "CAX4H", "CAX4RH", "CAX6", "CAX6M", "CAX6H", "CAX8", "CAX8R", "CAX8H", "CAX8RH", "CAX3H",
-    "CGAX3", "CGAX4", "CGAX6", "CGAX8", "S3", "S3R", "S4", "S4R", "S6", "S8", "S8R", "S8R5", "S9R5", "STRI3", "STRI65",
-    "M3D3", "M3D4", "M3D4R", "M3D6", "M3D8", "M3D8R", "SFM3D3", "SFM3D4", "SFM3D4R", "SC6R", "SC8R", "T2D2", "T2D3",
-    "T3D2", "T3D3", "B21", "B22", "B23", "B31", "B31R", "B32", "B32R", "B33", "PIPE21", "PIPE31", "PIPE32", "FRAME3D",
-    "SPRING1", "SPRING2", "SPRINGA", "DASHPOT1", "DASHPOT2", "DASHPOTA", "MASS", "ROTARYI", "GAPUNI", "GAPCYL",
-    "GAPSPHER", "GAPUNIT", "ITT21", "ITT31", "ISL21A", "ISL22A", "IRS21", "IRS22", "IRS3", "IRS4", "IRS9", "R2D2", "R3D3",
-    "R3D4", "RAX2", "RB2D2", "RB3D2", "CONN2D2", "CONN3D2", "COH2D4", "COH3D6", "COH3D8", "COHAX4", "DCOUP3D", "JOINTC",
-    "CIN3D8", "CINPE4", "CINPS4", "CINAX4",
+    "CPS8R", "CAX4R", "CAX4I", "CAX4H", "CAX4RH", "CAX6", "CAX6M", "CAX6H", "CAX8", "CAX8R", "CAX8H", "CAX8RH",
+    "CAX3H", "CGAX3", "CGAX4", "CGAX6", "CGAX8", "S3", "S3R", "S4", "S4R", "S6", "S8", "S8R", "S8R5", "S9R5", "STRI3",
+    "STRI65", "M3D3", "M3D4", "M3D4R", "M3D6", "M3D8", "M3D8R", "SFM3D3", "SFM3D4", "SFM3D4R", "SC6R", "SC8R", "T2D2",
+    "T2D3", "T3D2", "T3D3", "B21", "B22", "B23", "B31", "B31R", "B32", "B32R", "B33", "PIPE21", "PIPE31", "PIPE32",
+    "FRAME3D", "SPRING1", "SPRING2", "SPRINGA", "DASHPOT1", "DASHPOT2", "DASHPOTA", "MASS", "ROTARYI", "GAPUNI",
+    "GAPCYL", "GAPSPHER", "GAPUNIT", "ITT21", "ITT31", "ISL21A", "ISL22A", "IRS21", "IRS22", "IRS3", "IRS4", "IRS9",
+    "R2D2", "R3D3", "R3D4", "RAX2", "RB2D2", "RB3D2", "CONN2D2", "CONN3D2", "COH2D4", "COH3D6", "COH3D8", "COHAX4",
+    "DCOUP3D", "JOINTC", "CIN3D8", "CINPE4", "CINPS4", "CINAX4",
 ];
 
 /// The element type of a name; one that is not there is told.
@@ -33,7 +33,7 @@ pub fn element_type(name: &str, at: Span, diagnostics: &mut Diagnostics) -> Opti
         let fault = if NOT_YET.contains(&name) {
             let like = crate::deck::nearest::nearest(name, there);
             let fault = Diagnostic::error(at, format!("elements of type `{name}` are not there yet"));
-            match like {
+            match like.filter(|like| like[..3] == name[..3.min(name.len())]) {
                 Some(like) => fault.label(format!("`{like}` is there")),
                 None => fault,
             }
@@ -55,13 +55,16 @@ pub fn read(entry: &Entry<'_>, scene: &mut Scene<'_>, diagnostics: &mut Diagnost
     let first = scene.cells.len();
     let mut lines = scene.deck.lines(entry.card).peekable();
     while let Some(line) = lines.next() {
-        reading.line(line, scene, diagnostics);
+        reading.line(line);
         let complete = element.is_none_or(|e| reading.nodes.len() >= e.kind().nodes());
         if !(line.goes_on() && !complete && lines.peek().is_some()) {
             reading.finish(line, scene, diagnostics);
         }
     }
     if let Some(name) = entry.name("ELSET") {
+        if scene.cells.len() == first {
+            scene.faulty_sets.insert(name.clone());
+        }
         let added = scene.cells[first..].to_vec();
         scene.structure.mesh.cell_sets.entry(name).or_default().extend(added);
     }
@@ -77,7 +80,7 @@ struct Reading<'a> {
 }
 
 impl<'a> Reading<'a> {
-    fn line(&mut self, line: Line<'a>, _scene: &Scene<'_>, _diagnostics: &mut Diagnostics) {
+    fn line(&mut self, line: Line<'a>) {
         let mut tokens = line.tokens();
         if self.label.is_none() {
             self.label = tokens.next().map(|token| whole(token.text).map(|l| (l, token.span)).ok_or(token));
@@ -88,9 +91,8 @@ impl<'a> Reading<'a> {
     fn finish(&mut self, line: Line<'_>, scene: &mut Scene<'_>, diagnostics: &mut Diagnostics) {
         match self.label.take() {
             Some(Ok((label, at))) => {
-                if self.add(label, at, line, scene, diagnostics).is_none() {
-                    scene.elements.spoil(label);
-                }
+                let added = self.add(label, at, line, scene, diagnostics);
+                added.unwrap_or_else(|| scene.elements.spoil(label));
             }
             Some(Err(token)) => {
                 let title = format!("`{}` is not the label of an element", token.text);
@@ -101,14 +103,25 @@ impl<'a> Reading<'a> {
         self.nodes.clear();
     }
 
-    fn add(&self, label: u64, at: Span, line: Line<'_>, scene: &mut Scene<'_>, diagnostics: &mut Diagnostics) -> Option<()> {
+    fn add(
+        &self,
+        label: u64,
+        at: Span,
+        line: Line<'_>,
+        scene: &mut Scene<'_>,
+        diagnostics: &mut Diagnostics,
+    ) -> Option<()> {
         let (element, block) = (self.element?, self.block?);
         let wanted = element.kind().nodes();
         if self.nodes.len() != wanted {
             let title = format!("element {label} has {} nodes, {} needs {wanted}", self.nodes.len(), element.name());
             let fault = Diagnostic::error(line.span, title);
             let short = self.nodes.len() < wanted;
-            diagnostics.push(if short { fault.help("a line that ends with a comma goes on in the next") } else { fault });
+            diagnostics.push(if short {
+                fault.help("a line that ends with a comma goes on in the next")
+            } else {
+                fault
+            });
             return None;
         }
         let start = scene.structure.mesh.blocks[block].nodes.len();

@@ -1,1 +1,153 @@
-//! From cards to a model: names become indices, ranges are checked.
+//! Cards to a model: names to indices, ranges checked. All faults of a deck are told in one run.
+
+mod amplitudes;
+mod controls;
+mod elements;
+mod faces;
+mod interactions;
+mod labels;
+mod loads;
+mod materials;
+mod mesh_file;
+mod nodes;
+mod pairs;
+mod quality;
+mod requests;
+mod rigid;
+mod scene;
+mod sets;
+mod steps;
+mod supports;
+mod surfaces;
+
+use crate::deck::Deck;
+use crate::deck::source::Span;
+use crate::diagnostic::{Diagnostic, Diagnostics, Severity};
+use crate::keyword::check::{Entry, check};
+use crate::model::{Model, Step};
+use amplitudes::Amplitudes;
+use fe_contact::law::Laws;
+use interactions::Interactions;
+use scene::Scene;
+use steps::{InForce, Named};
+use supports::Supports;
+
+/// What decks may name beyond the cards.
+#[derive(Clone, Debug)]
+pub struct Library {
+    /// Pressure-overclosure laws.
+    pub laws: Laws,
+}
+
+impl Default for Library {
+    fn default() -> Self {
+        Library { laws: Laws::standard() }
+    }
+}
+
+/// The model that a deck describes, or all that is wrong with the deck. Warnings become notes of the model.
+pub fn resolve(deck: &Deck, library: &Library) -> Result<Model, Diagnostics> {
+    let mut diagnostics = Diagnostics::new(deck.sources.clone());
+    let entries = check(deck, &library.laws, &mut diagnostics);
+    let mut scene = Scene::new(deck);
+    bodies(&entries, &mut scene, &mut diagnostics);
+    let amplitudes = Amplitudes::read(&named(&entries, &["AMPLITUDE"]), deck, &mut diagnostics);
+    let contact = named(&entries, &["SURFACE INTERACTION", "SURFACE BEHAVIOR"]);
+    let interactions = Interactions::read(&contact, deck, &library.laws, &mut diagnostics);
+    let mut contact_pairs = Vec::new();
+    for entry in named(&entries, &["CONTACT PAIR"]) {
+        contact_pairs.extend(pairs::read(&entry, &scene, &interactions, &mut diagnostics));
+    }
+    let mut supports = Supports::default();
+    for entry in entries.iter().filter(|entry| entry.step.is_none() && entry.keyword.name == "BOUNDARY") {
+        supports.read(entry, &scene, &amplitudes, &mut diagnostics);
+    }
+    let names = Named { amplitudes: &amplitudes, pairs: &contact_pairs };
+    let steps = steps(&entries, &names, &mut scene, &mut diagnostics);
+    if diagnostics.faults() == 0 {
+        quality::twins(&scene, &mut diagnostics);
+        quality::elements(&scene, &mut diagnostics);
+    }
+    if diagnostics.faults() > 0 {
+        return Err(diagnostics);
+    }
+    let mut references: Vec<u32> = scene.references.into_values().collect();
+    references.sort_unstable();
+    references.dedup();
+    Ok(Model {
+        heading: heading(&entries, deck),
+        structure: scene.structure,
+        amplitudes: amplitudes.list,
+        interactions: interactions.list,
+        pairs: contact_pairs,
+        references,
+        supports: supports.items,
+        steps,
+        notes: notes(&diagnostics),
+    })
+}
+
+/// Cards of some names, those of steps included.
+fn named<'a>(entries: &[Entry<'a>], names: &[&str]) -> Vec<Entry<'a>> {
+    entries.iter().filter(|entry| names.contains(&entry.keyword.name)).copied().collect()
+}
+
+/// Nodes, elements, sets, surfaces, materials, sections.
+fn bodies(entries: &[Entry<'_>], scene: &mut Scene<'_>, diagnostics: &mut Diagnostics) {
+    for entry in named(entries, &["NODE", "MESH"]) {
+        match entry.keyword.name {
+            "NODE" => nodes::read(&entry, scene, diagnostics),
+            _ => mesh_file::read(&entry, scene, diagnostics),
+        }
+    }
+    for entry in named(entries, &["ELEMENT"]) {
+        elements::read(&entry, scene, diagnostics);
+    }
+    for entry in named(entries, &["NSET", "ELSET"]) {
+        match entry.keyword.name {
+            "NSET" => sets::nodes(&entry, scene, diagnostics),
+            _ => sets::cells(&entry, scene, diagnostics),
+        }
+    }
+    sets::sort(scene);
+    if scene.cells.is_empty() && diagnostics.faults() == 0 {
+        let fault = Diagnostic { primary: None, ..Diagnostic::error(START, "the deck has no elements") };
+        diagnostics.push(fault.help("write `*ELEMENT`, or read a mesh by `*MESH`"));
+    }
+    quality::spaces(scene, diagnostics);
+    surfaces::read(&named(entries, &["SURFACE"]), scene, diagnostics);
+    for entry in named(entries, &["RIGID BODY"]) {
+        rigid::body(&entry, scene, diagnostics);
+    }
+    quality::freedoms(scene, diagnostics);
+    let materials = materials::read(&named(entries, &["MATERIAL", "ELASTIC", "DENSITY"]), scene, diagnostics);
+    materials::sections(&named(entries, &["SOLID SECTION"]), &materials, scene, diagnostics);
+}
+
+const START: Span = Span { source: 0, start: 0, end: 0 };
+
+fn steps(entries: &[Entry<'_>], names: &Named<'_>, scene: &mut Scene<'_>, diagnostics: &mut Diagnostics) -> Vec<Step> {
+    let mut in_force = InForce::default();
+    let mut steps = Vec::new();
+    let of_steps: Vec<Entry<'_>> = entries.iter().filter(|entry| entry.step.is_some()).copied().collect();
+    for step in of_steps.chunk_by(|a, b| a.step == b.step) {
+        steps.extend(steps::read(step, names, &mut in_force, scene, diagnostics));
+    }
+    if of_steps.is_empty() {
+        let fault = Diagnostic { primary: None, ..Diagnostic::error(START, "the deck has no step") };
+        diagnostics.push(fault.help("write `*STEP`, `*STATIC`, loads and requests, `*END STEP`"));
+    }
+    steps
+}
+
+fn heading(entries: &[Entry<'_>], deck: &Deck) -> String {
+    let cards = entries.iter().filter(|entry| entry.keyword.name == "HEADING");
+    let lines: Vec<&str> = cards.flat_map(|entry| deck.lines(entry.card)).map(|line| line.text).collect();
+    lines.join("\n")
+}
+
+/// Warnings and remarks, a line each.
+fn notes(diagnostics: &Diagnostics) -> Vec<String> {
+    let remarks = diagnostics.list().filter(|diagnostic| diagnostic.severity != Severity::Error);
+    remarks.map(|diagnostic| diagnostics.line(diagnostic)).collect()
+}

@@ -10,7 +10,7 @@ use fe_contact::rigid::RigidSurface;
 use fe_core::element::ElementType;
 use fe_core::structure::Structure;
 use fe_mesh::{CellBlock, CellId};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// A surface by its name.
 #[derive(Debug)]
@@ -45,6 +45,8 @@ pub struct Scene<'a> {
     pub surfaces: BTreeMap<String, (Surface, Span)>,
     /// Reference node of each rigid surface.
     pub references: BTreeMap<String, u32>,
+    /// Element sets of which nothing is left because their elements are faulty, which was told.
+    pub faulty_sets: BTreeSet<String>,
     /// Freedoms of each node, a bit each, `[points]`; filled when all bodies are read.
     pub masks: Vec<u8>,
 }
@@ -62,6 +64,7 @@ impl<'a> Scene<'a> {
             cell_places: Vec::new(),
             surfaces: BTreeMap::new(),
             references: BTreeMap::new(),
+            faulty_sets: BTreeSet::new(),
             masks: Vec::new(),
         }
     }
@@ -117,8 +120,18 @@ impl<'a> Scene<'a> {
     pub fn cells_of(&self, token: Token<'_>, diagnostics: &mut Diagnostics) -> Option<Vec<CellId>> {
         match whole(token.text) {
             Some(label) => self.cell(token, label, diagnostics).map(|cell| vec![cell]),
-            None => set(&self.structure.mesh.cell_sets, "element set", token, diagnostics).map(<[CellId]>::to_vec),
+            None => self.cell_set(token, diagnostics).map(<[CellId]>::to_vec),
         }
+    }
+
+    /// An element set by name; `None` when it is missing or empty, which is told.
+    pub fn cell_set(&self, token: Token<'_>, diagnostics: &mut Diagnostics) -> Option<&[CellId]> {
+        let sets = &self.structure.mesh.cell_sets;
+        let name = normalized(token.text);
+        if self.faulty_sets.contains(&name) && sets.get(&name).is_none_or(Vec::is_empty) {
+            return None;
+        }
+        set(sets, "element set", token, diagnostics)
     }
 
     /// Label of a node.

@@ -35,7 +35,7 @@ pub fn cells(entry: &Entry<'_>, scene: &mut Scene<'_>, diagnostics: &mut Diagnos
         if entry.has("GENERATE") {
             let mesh = &scene.structure.mesh;
             let of_label = |label| scene.elements.get(label).map(|i| scene.cells[i as usize]);
-            let labels = mesh.cells().map(|cell| mesh.cell_label(cell));
+            let labels = mesh.blocks.iter().flat_map(|block| block.labels.iter().copied());
             members.extend(generated(entry, line, labels, of_label, diagnostics));
         } else {
             let tokens = line.tokens().filter(|token| !token.text.is_empty());

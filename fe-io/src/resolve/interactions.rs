@@ -1,0 +1,201 @@
+//! `*SURFACE INTERACTION` with its `*SURFACE BEHAVIOR`.
+
+use super::nodes::fields;
+use crate::deck::Deck;
+use crate::deck::card::{Card, normalized};
+use crate::deck::source::Span;
+use crate::diagnostic::{Diagnostic, Diagnostics};
+use crate::keyword::check::Entry;
+use crate::keyword::row::{Row, of_law};
+use crate::keyword::{self, Field, Known, surface_behavior};
+use fe_contact::interaction::{Enforcement, Interaction, NormalBehavior};
+use fe_contact::law::{LawDefinition, Laws};
+
+/// Hard contact by a penalty, as the decks' defaults have it.
+const DEFAULT_PENALTY: Enforcement = Enforcement::Penalty { stiffness: None, clearance: 0.0, scale: 1.0 };
+
+/// The interactions of a model.
+#[derive(Debug, Default)]
+pub struct Interactions {
+    /// In the order of the deck.
+    pub list: Vec<Interaction>,
+    /// Place of each one's card.
+    pub places: Vec<Span>,
+    /// True for hard contact whose enforcement the deck leaves open.
+    pub open: Vec<bool>,
+    /// Place of each one's `*SURFACE BEHAVIOR`.
+    behaviors: Vec<Option<Span>>,
+}
+
+impl Interactions {
+    /// Reads all of them.
+    pub fn read(entries: &[Entry<'_>], deck: &Deck, laws: &Laws, diagnostics: &mut Diagnostics) -> Self {
+        let mut all = Interactions::default();
+        for entry in entries {
+            if entry.keyword.name == "SURFACE INTERACTION" {
+                all.begin(entry, deck, diagnostics);
+                continue;
+            }
+            let behavior = behavior(entry, deck, laws, diagnostics);
+            let Some(parent) = parent(entry, deck) else {
+                let fault =
+                    Diagnostic::error(entry.card.span, "`*SURFACE BEHAVIOR` stands under no `*SURFACE INTERACTION`");
+                diagnostics.push(fault.help("it follows the `*SURFACE INTERACTION` that it describes"));
+                continue;
+            };
+            if let Some(i) = all.places.iter().position(|at| *at == parent.span) {
+                all.describe(i, entry, behavior, diagnostics);
+            }
+        }
+        all
+    }
+
+    fn begin(&mut self, entry: &Entry<'_>, deck: &Deck, diagnostics: &mut Diagnostics) {
+        let Some(value) = entry.value("NAME") else { return };
+        let name = normalized(&value.text);
+        if let Some(first) = self.list.iter().position(|i| i.name == name) {
+            let fault = Diagnostic::error(value.span, format!("interaction `{name}` is there twice"));
+            diagnostics.push(fault.related(self.places[first], "first here"));
+        }
+        let measure =
+            deck.lines(entry.card).next().and_then(|line| Row::read(line, fields(entry), diagnostics).number(0));
+        self.list.push(Interaction { name, normal: NormalBehavior::Hard(DEFAULT_PENALTY), measure });
+        self.places.push(entry.card.span);
+        self.open.push(true);
+        self.behaviors.push(None);
+    }
+
+    fn describe(
+        &mut self,
+        i: usize,
+        entry: &Entry<'_>,
+        behavior: Option<NormalBehavior>,
+        diagnostics: &mut Diagnostics,
+    ) {
+        if let Some(first) = self.behaviors[i].replace(entry.card.span) {
+            let title = format!("interaction `{}` has two `*SURFACE BEHAVIOR`", self.list[i].name);
+            diagnostics.push(Diagnostic::error(entry.card.span, title).related(first, "first here"));
+        }
+        if let Some(behavior) = behavior {
+            self.open[i] = matches!(behavior, NormalBehavior::Hard(_)) && !entry.has("PENALTY");
+            self.list[i].normal = behavior;
+        } else {
+            self.open[i] = false;
+        }
+    }
+
+    /// Index by name.
+    pub fn find(&self, name: &str) -> Option<usize> {
+        self.list.iter().position(|i| i.name == name)
+    }
+}
+
+/// The card that a `*SURFACE BEHAVIOR` belongs to; other cards that describe contact may stand between.
+fn parent<'a>(entry: &Entry<'_>, deck: &'a Deck) -> Option<&'a Card> {
+    let at = deck.cards.iter().position(|card| card.span == entry.card.span)?;
+    for card in deck.cards[..at].iter().rev() {
+        match keyword::find(&card.keyword) {
+            Some(Known::Card(table)) if table.name == "SURFACE INTERACTION" => return Some(card),
+            Some(Known::NotYet("GAP" | "INTERFACE", _)) => return Some(card),
+            Some(Known::Card(table)) if table.name == "SURFACE BEHAVIOR" => {}
+            Some(Known::NotYet(..)) => {}
+            _ => return None,
+        }
+    }
+    None
+}
+
+/// What the card says; `None` when it is refused, which was told.
+fn behavior(entry: &Entry<'_>, deck: &Deck, laws: &Laws, diagnostics: &mut Diagnostics) -> Option<NormalBehavior> {
+    let before = diagnostics.faults();
+    let overclosure = entry.name("PRESSURE-OVERCLOSURE").filter(|word| word != "HARD");
+    let law = overclosure.as_deref().and_then(|word| laws.0.iter().find(|law| keyword::same(law.keyword, word)));
+    exclusions(entry, overclosure.as_deref(), diagnostics);
+    let behavior = match (&overclosure, law) {
+        (Some(_), None) => return None,
+        (Some(_), Some(law)) => softened(entry, deck, law, diagnostics),
+        (None, _) => hard(entry, deck, diagnostics),
+    };
+    behavior.filter(|_| diagnostics.faults() == before)
+}
+
+/// Words that cannot stand beside each other.
+fn exclusions(entry: &Entry<'_>, softened: Option<&str>, diagnostics: &mut Diagnostics) {
+    if let Some(parameter) = entry.parameter("NO SEPARATION") {
+        diagnostics.push(match softened {
+            Some(law) => {
+                let title = "`NO SEPARATION` cannot be used with a softened `PRESSURE-OVERCLOSURE` in static steps";
+                let fault = Diagnostic::error(parameter.span, title).label(format!("the law is `{law}`"));
+                fault.help("a softened law lets surfaces separate: leave `NO SEPARATION` out")
+            }
+            None => {
+                let fault =
+                    Diagnostic::error(parameter.span, "`NO SEPARATION` of `*SURFACE BEHAVIOR` is not there yet");
+                fault.help("surfaces may separate: leave it out, or give both bodies common nodes")
+            }
+        });
+    }
+    for name in ["PENALTY", "AUGMENTED LAGRANGE"] {
+        if let (Some(parameter), Some(law)) = (entry.parameter(name), softened) {
+            let title = format!("`{name}` is for hard contact, not for `PRESSURE-OVERCLOSURE={law}`");
+            diagnostics.push(Diagnostic::error(parameter.span, title).help("a softened law needs no enforcement"));
+        }
+    }
+    let ways = ["PENALTY", "AUGMENTED LAGRANGE", "DIRECT"].into_iter().filter_map(|name| entry.parameter(name));
+    let ways: Vec<_> = ways.collect();
+    if let [first, second, ..] = ways[..] {
+        let fault = Diagnostic::error(second.span, "only one way to enforce hard contact can be used");
+        diagnostics.push(fault.related(first.span, "another one"));
+    }
+}
+
+fn softened(
+    entry: &Entry<'_>,
+    deck: &Deck,
+    law: &LawDefinition,
+    diagnostics: &mut Diagnostics,
+) -> Option<NormalBehavior> {
+    let fields: Vec<Field> = law.data.iter().map(of_law).collect();
+    let mut lines = deck.lines(entry.card);
+    let data = match lines.next() {
+        Some(line) => {
+            let row = Row::read(line, &fields, diagnostics);
+            let values = law.data.iter().enumerate().map(|(i, datum)| row.number(i).or(datum.default));
+            values.collect::<Option<Vec<f64>>>().filter(|_| row.sound)?
+        }
+        None if fields.iter().any(|field| field.required) => {
+            let wanted: Vec<&str> = fields.iter().map(|field| field.name).collect();
+            let fault = Diagnostic::error(entry.card.span, format!("law `{}` needs a data line", law.keyword));
+            diagnostics.push(fault.help(format!("write: {}", wanted.join(", "))));
+            return None;
+        }
+        None => law.data.iter().filter_map(|datum| datum.default).collect(),
+    };
+    too_many(lines.next(), diagnostics);
+    Some(NormalBehavior::Softened((law.build)(&data)))
+}
+
+fn hard(entry: &Entry<'_>, deck: &Deck, diagnostics: &mut Diagnostics) -> Option<NormalBehavior> {
+    let mut lines = deck.lines(entry.card);
+    let Some(line) = lines.next() else { return Some(NormalBehavior::Hard(DEFAULT_PENALTY)) };
+    if !entry.has("PENALTY") {
+        if !entry.has("AUGMENTED LAGRANGE") {
+            let fault = Diagnostic::error(line.span, "hard contact has no data line");
+            diagnostics.push(fault.help(
+                "for a penalty stiffness say `*SURFACE BEHAVIOR, PENALTY`; for a slope `PRESSURE-OVERCLOSURE=LINEAR`",
+            ));
+        }
+        return None;
+    }
+    let row = Row::read(line, surface_behavior::PENALTY, diagnostics);
+    too_many(lines.next(), diagnostics);
+    let (stiffness, clearance, scale) = (row.number(0), row.number(1).unwrap_or(0.0), row.number(2).unwrap_or(1.0));
+    row.sound.then_some(NormalBehavior::Hard(Enforcement::Penalty { stiffness, clearance, scale }))
+}
+
+fn too_many(line: Option<crate::deck::card::Line<'_>>, diagnostics: &mut Diagnostics) {
+    if let Some(line) = line {
+        diagnostics
+            .push(Diagnostic::error(line.span, "this is one data line too many").label("`*SURFACE BEHAVIOR` has one"));
+    }
+}

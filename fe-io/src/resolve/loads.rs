@@ -1,0 +1,152 @@
+//! `*CLOAD`, `*DLOAD` and `*DSLOAD`.
+
+use super::amplitudes::Amplitudes;
+use super::nodes::line_fields;
+use super::pairs::faces_of;
+use super::rigid::unit;
+use super::scene::Scene;
+use crate::deck::card::{Line, Token};
+use crate::diagnostic::{Diagnostic, Diagnostics};
+use crate::keyword::check::Entry;
+use crate::keyword::row::Row;
+use fe_core::load::{Load, LoadKind};
+use fe_mesh::{CellId, Face};
+
+/// Reads the loads of a card, one a line.
+pub fn read(entry: &Entry<'_>, scene: &Scene<'_>, amplitudes: &Amplitudes, diagnostics: &mut Diagnostics) -> Vec<Load> {
+    let amplitude = amplitudes.of(entry, diagnostics);
+    let mut loads = Vec::new();
+    for line in scene.deck.lines(entry.card) {
+        let read = match entry.keyword.name {
+            "CLOAD" => nodal(entry, line, scene, diagnostics),
+            "DSLOAD" => on_surface(entry, line, scene, diagnostics),
+            _ => on_elements(entry, line, scene, diagnostics),
+        };
+        loads.extend(read.map(|(kind, magnitude)| Load { kind, magnitude, amplitude }));
+    }
+    loads
+}
+
+fn nodal(
+    entry: &Entry<'_>,
+    line: Line<'_>,
+    scene: &Scene<'_>,
+    diagnostics: &mut Diagnostics,
+) -> Option<(LoadKind, f64)> {
+    let row = Row::read(line, line_fields(entry, 0), diagnostics);
+    let (token, freedom, magnitude) = (row.token(0)?, row.whole(1)?, row.number(2)?);
+    if !row.sound {
+        return None;
+    }
+    let nodes = scene.nodes_of(token, diagnostics)?;
+    let component = freedom as u8 - 1;
+    if let Some(&node) = nodes.iter().find(|&&node| scene.masks[node as usize] >> component & 1 == 0) {
+        let title = format!("node {} has no freedom {freedom} to load", scene.node_label(node));
+        let fault = Diagnostic::error(line.span, title);
+        let bare = scene.masks[node as usize] == 0;
+        diagnostics.push(if bare { fault.label("it belongs to no element") } else { fault });
+        return None;
+    }
+    Some((LoadKind::Nodal { nodes, component }, magnitude))
+}
+
+fn on_surface(
+    entry: &Entry<'_>,
+    line: Line<'_>,
+    scene: &Scene<'_>,
+    diagnostics: &mut Diagnostics,
+) -> Option<(LoadKind, f64)> {
+    let row = Row::read(line, line_fields(entry, 0), diagnostics);
+    let (token, kind, magnitude) = (row.token(0)?, row.token(1)?, row.number(2)?);
+    let word = kind.text.to_ascii_uppercase();
+    if word != "P" {
+        diagnostics.push(unknown(kind, &word, "DSLOAD", &["P"]));
+        return None;
+    }
+    let faces = faces_of(token, scene, diagnostics)?;
+    row.sound.then_some((LoadKind::Pressure { faces }, magnitude))
+}
+
+/// Kinds of distributed load that decks know and this program does not, by their beginnings.
+const NOT_YET: &[&str] =
+    &["HP", "BX", "BY", "BZ", "CENT", "CORIO", "ROTA", "TRVEC", "TRSHR", "EDLD", "NEWTON", "VBF", "SBF"];
+
+fn unknown(kind: Token<'_>, word: &str, star: &str, known: &[&str]) -> Diagnostic {
+    let user = word.ends_with("NU") && word.starts_with(['P', 'B']);
+    if user || NOT_YET.iter().any(|name| word.starts_with(name)) {
+        let fault = Diagnostic::error(kind.span, format!("loads of kind `{word}` are not there yet"));
+        return fault.help(format!("there is {}", crate::diagnostic::listed(known)));
+    }
+    let fault = Diagnostic::error(kind.span, format!("`*{star}` has no load of kind `{word}`"));
+    fault.known(word, known.iter().copied())
+}
+
+fn on_elements(
+    entry: &Entry<'_>,
+    line: Line<'_>,
+    scene: &Scene<'_>,
+    diagnostics: &mut Diagnostics,
+) -> Option<(LoadKind, f64)> {
+    let word = line.tokens().nth(1).map(|token| token.text.to_ascii_uppercase()).unwrap_or_default();
+    if word == "GRAV" {
+        return gravity(entry, line, scene, diagnostics);
+    }
+    let row = Row::read(line, line_fields(entry, 0), diagnostics);
+    let (token, kind, magnitude) = (row.token(0)?, row.token(1)?, row.number(2)?);
+    let face = match word.strip_prefix('P').map(str::parse::<u8>) {
+        Some(Ok(n @ 1..=6)) => n - 1,
+        Some(_) if word == "P" => {
+            let fault = Diagnostic::error(kind.span, "a pressure on elements names their face");
+            diagnostics.push(fault.label("say P1 to P6, or use `*DSLOAD` with a surface"));
+            return None;
+        }
+        _ => {
+            diagnostics.push(unknown(kind, &word, "DLOAD", &["P1", "P2", "P3", "P4", "P5", "P6", "GRAV"]));
+            return None;
+        }
+    };
+    let cells = scene.cells_of(token, diagnostics)?;
+    let count = |cell: CellId| scene.structure.mesh.kind(cell).faces().len();
+    if let Some(&cell) = cells.iter().find(|&&cell| usize::from(face) >= count(cell)) {
+        let label = scene.structure.mesh.cell_label(cell);
+        let fault = Diagnostic::error(kind.span, format!("element {label} has no face for `{word}`"));
+        diagnostics.push(fault.label(format!("{} has P1 to P{}", scene.element_of(cell).name(), count(cell))));
+        return None;
+    }
+    let faces = cells.into_iter().map(|cell| Face { cell, face }).collect();
+    row.sound.then_some((LoadKind::Pressure { faces }, magnitude))
+}
+
+fn gravity(
+    entry: &Entry<'_>,
+    line: Line<'_>,
+    scene: &Scene<'_>,
+    diagnostics: &mut Diagnostics,
+) -> Option<(LoadKind, f64)> {
+    let row = Row::read(line, line_fields(entry, 1), diagnostics);
+    let magnitude = row.number(2).filter(|_| row.sound)?;
+    let direction = [3, 4, 5].map(|i| row.number(i).unwrap_or(0.0));
+    let Some(direction) = unit(direction) else {
+        diagnostics.push(
+            Diagnostic::error(line.span, "gravity has no direction").help("write: set, GRAV, magnitude, x, y, z"),
+        );
+        return None;
+    };
+    if scene.structure.is_plane() && direction[2] != 0.0 {
+        diagnostics.push(Diagnostic::error(line.span, "gravity of a plane model lies in its plane"));
+        return None;
+    }
+    let cells = match row.token(0) {
+        Some(token) => scene.cells_of(token, diagnostics)?,
+        None => scene.structure.mesh.cells().collect(),
+    };
+    for section in &scene.structure.sections {
+        let material = &scene.structure.materials[section.material];
+        if material.density.is_none() && section.cells.iter().any(|cell| cells.binary_search(cell).is_ok()) {
+            let fault = Diagnostic::error(line.span, format!("material `{}` has no `*DENSITY`", material.name));
+            diagnostics.push(fault.label("gravity needs it"));
+            return None;
+        }
+    }
+    Some((LoadKind::Gravity { cells, direction }, magnitude))
+}

@@ -1,0 +1,235 @@
+//! `*CONTACT PAIR`.
+
+use super::interactions::Interactions;
+use super::nodes::fields;
+use super::scene::{Scene, Surface};
+use crate::deck::card::{Token, normalized};
+use crate::deck::number::number;
+use crate::diagnostic::{Diagnostic, Diagnostics};
+use crate::keyword::check::Entry;
+use crate::keyword::row::Row;
+use crate::model::Place;
+use fe_contact::pair::{Adjust, Discretization, PairDefinition};
+use fe_contact::surface::{Main, Secondary};
+use fe_mesh::{CellKind, Face};
+
+/// Reads the pairs of a card, a line each.
+pub fn read(
+    entry: &Entry<'_>,
+    scene: &Scene<'_>,
+    interactions: &Interactions,
+    diagnostics: &mut Diagnostics,
+) -> Vec<(PairDefinition, Place)> {
+    let interaction = interaction(entry, interactions, diagnostics);
+    let mut pairs = Vec::new();
+    let mut lines = scene.deck.lines(entry.card).peekable();
+    if lines.peek().is_none() {
+        let fault = Diagnostic::error(entry.card.span, "this card names no surfaces");
+        diagnostics.push(fault.help("add a line: secondary surface, main surface"));
+    }
+    for line in lines {
+        let row = Row::read(line, fields(entry), diagnostics);
+        let (Some(first), Some(second), true) = (row.token(0), row.token(1), row.sound) else { continue };
+        let before = diagnostics.faults();
+        if let Some(interaction) = interaction {
+            enforcement(entry, first, interaction, interactions, diagnostics);
+        }
+        let secondary = secondary(first, scene, diagnostics);
+        let main = main(second, scene, diagnostics);
+        let (Some(secondary), Some(main)) = (secondary, main) else { continue };
+        let discretization = discretization(entry, first, &secondary, &main, scene, diagnostics);
+        common_nodes(second, &secondary, &main, scene, diagnostics);
+        let adjust = adjust(entry, &secondary, scene, diagnostics);
+        let (Some(interaction), true) = (interaction, diagnostics.faults() == before) else { continue };
+        let [secondary_name, main_name] = [first, second].map(|token| normalized(token.text));
+        let source = &scene.deck.sources[line.span.source as usize];
+        let place = source.place(line.span.start);
+        let pair = PairDefinition { secondary_name, main_name, secondary, main, interaction, discretization, adjust };
+        pairs.push((pair, place));
+    }
+    pairs
+}
+
+fn interaction(entry: &Entry<'_>, interactions: &Interactions, diagnostics: &mut Diagnostics) -> Option<usize> {
+    let value = entry.value("INTERACTION")?;
+    let name = normalized(&value.text);
+    let found = interactions.find(&name);
+    if found.is_none() {
+        let fault = Diagnostic::error(value.span, format!("there is no interaction `{name}`"));
+        let names = interactions.list.iter().map(|i| i.name.as_str());
+        diagnostics.push(fault.known(&name, names).help("say `*SURFACE INTERACTION, NAME=…`"));
+    }
+    found
+}
+
+/// Hard contact whose enforcement is left open: by a penalty for finite-sliding surface-to-surface pairs, by
+/// multipliers for all others (Abaqus Analysis User's Manual, Contact constraint enforcement methods).
+fn enforcement(
+    entry: &Entry<'_>,
+    at: Token<'_>,
+    interaction: usize,
+    interactions: &Interactions,
+    diagnostics: &mut Diagnostics,
+) {
+    let by_penalty = entry.says("TYPE", "SURFACE TO SURFACE") && !entry.has("SMALL SLIDING");
+    if !interactions.open[interaction] || by_penalty {
+        return;
+    }
+    let kind = if entry.has("SMALL SLIDING") { "a small-sliding pair" } else { "a node-to-surface pair" };
+    let title = format!("hard contact of {kind} is enforced by multipliers (DIRECT), which is not there yet");
+    let name = &interactions.list[interaction].name;
+    let fault = Diagnostic::error(at.span, title).related(interactions.places[interaction], "hard contact");
+    diagnostics.push(fault.help(format!("say `*SURFACE BEHAVIOR, PENALTY` under `*SURFACE INTERACTION, NAME={name}`")));
+}
+
+/// A surface by name; a missing one is told.
+fn surface<'s>(token: Token<'_>, scene: &'s Scene<'_>, diagnostics: &mut Diagnostics) -> Option<&'s Surface> {
+    let name = normalized(token.text);
+    match scene.surfaces.get(&name) {
+        Some((Surface::Faulty, _)) => None,
+        Some((surface, _)) => Some(surface),
+        None => {
+            let fault = Diagnostic::error(token.span, format!("there is no surface `{name}`"));
+            diagnostics.push(fault.known(&name, scene.surfaces.keys().map(String::as_str)));
+            None
+        }
+    }
+}
+
+/// Faces of an element-based surface of the mesh.
+pub fn faces_of(token: Token<'_>, scene: &Scene<'_>, diagnostics: &mut Diagnostics) -> Option<Vec<Face>> {
+    let name = normalized(token.text);
+    match surface(token, scene, diagnostics)? {
+        Surface::Faces => scene.structure.mesh.surfaces.get(&name).cloned(),
+        Surface::Nodes(_) | Surface::Rigid(_) | Surface::Faulty => {
+            diagnostics.push(Diagnostic::error(token.span, format!("surface `{name}` has no faces of elements")));
+            None
+        }
+    }
+}
+
+fn secondary(token: Token<'_>, scene: &Scene<'_>, diagnostics: &mut Diagnostics) -> Option<Secondary> {
+    match surface(token, scene, diagnostics)? {
+        Surface::Faces => faces_of(token, scene, diagnostics).map(Secondary::Faces),
+        Surface::Nodes(nodes) => Some(Secondary::Nodes(nodes.clone())),
+        Surface::Rigid(_) | Surface::Faulty => {
+            let title = format!("the rigid surface `{}` can only be the main one", normalized(token.text));
+            diagnostics.push(Diagnostic::error(token.span, title).help("write: secondary, main"));
+            None
+        }
+    }
+}
+
+fn main(token: Token<'_>, scene: &Scene<'_>, diagnostics: &mut Diagnostics) -> Option<Main> {
+    let name = normalized(token.text);
+    match surface(token, scene, diagnostics)? {
+        Surface::Faces => faces_of(token, scene, diagnostics).map(Main::Faces),
+        Surface::Rigid(rigid) => {
+            let Some(&reference) = scene.references.get(&name) else {
+                let fault = Diagnostic::error(token.span, format!("the rigid surface `{name}` has no reference node"));
+                diagnostics.push(fault.help(format!("say `*RIGID BODY, ANALYTICAL SURFACE={name}, REF NODE=…`")));
+                return None;
+            };
+            Some(Main::Rigid { surface: rigid.clone(), reference })
+        }
+        Surface::Nodes(_) | Surface::Faulty => {
+            let fault =
+                Diagnostic::error(token.span, format!("the surface of nodes `{name}` can only be the secondary one"));
+            diagnostics.push(fault.help("write: secondary, main"));
+            None
+        }
+    }
+}
+
+fn discretization(
+    entry: &Entry<'_>,
+    at: Token<'_>,
+    secondary: &Secondary,
+    main: &Main,
+    scene: &Scene<'_>,
+    diagnostics: &mut Diagnostics,
+) -> Discretization {
+    let wanted = entry.says("TYPE", "SURFACE TO SURFACE");
+    if wanted && matches!(secondary, Secondary::Nodes(_)) {
+        let note = Diagnostic::note(at.span, "a surface of nodes makes the pair node-to-surface");
+        diagnostics.push(note.label("it has no faces to average over"));
+    } else if wanted {
+        return Discretization::SurfaceToSurface;
+    }
+    let mesh = &scene.structure.mesh;
+    let curved = |face: &Face| matches!(mesh.face(*face).0, CellKind::Line3 | CellKind::Tri6 | CellKind::Quad8);
+    let sides = [
+        if let Secondary::Faces(faces) = secondary { faces.as_slice() } else { &[] },
+        if let Main::Faces(faces) = main { faces.as_slice() } else { &[] },
+    ];
+    if let Some(face) = sides.into_iter().flatten().find(|face| curved(face)) {
+        let title = "node-to-surface contact of quadratic faces is not there";
+        let fault = Diagnostic::error(at.span, title);
+        let element = scene.element_of(face.cell).name();
+        let fault = fault.label(format!("element {} is a {element}", mesh.cell_label(face.cell)));
+        diagnostics.push(
+            fault.help("say `TYPE=SURFACE TO SURFACE`: corner nodes of quadratic faces carry no pressure of their own"),
+        );
+    }
+    Discretization::NodeToSurface
+}
+
+/// Nodes of a side, marked.
+fn marked(scene: &Scene<'_>, faces: &[Face]) -> Vec<bool> {
+    let mut marks = vec![false; scene.structure.mesh.points.len()];
+    for &face in faces {
+        scene.structure.mesh.face(face).1.iter().for_each(|&node| marks[node as usize] = true);
+    }
+    marks
+}
+
+fn common_nodes(at: Token<'_>, secondary: &Secondary, main: &Main, scene: &Scene<'_>, diagnostics: &mut Diagnostics) {
+    let Main::Faces(faces) = main else { return };
+    let marks = marked(scene, faces);
+    let common = match secondary {
+        Secondary::Faces(faces) => {
+            faces.iter().find_map(|&face| scene.structure.mesh.face(face).1.into_iter().find(|&n| marks[n as usize]))
+        }
+        Secondary::Nodes(nodes) => nodes.iter().map(|(node, _)| *node).find(|&n| marks[n as usize]),
+    };
+    if let Some(node) = common {
+        let title = format!("both surfaces of this pair hold node {}", scene.node_label(node));
+        diagnostics.push(
+            Diagnostic::error(at.span, title)
+                .help("surfaces of a pair have no common nodes; self-contact is not there yet"),
+        );
+    }
+}
+
+fn adjust(
+    entry: &Entry<'_>,
+    secondary: &Secondary,
+    scene: &Scene<'_>,
+    diagnostics: &mut Diagnostics,
+) -> Option<Adjust> {
+    let value = entry.value("ADJUST")?;
+    match number(&value.text) {
+        Some(depth) if depth >= 0.0 => return Some(Adjust::Within(depth)),
+        Some(_) => {
+            diagnostics.push(Diagnostic::error(value.span, "`ADJUST` of `*CONTACT PAIR` must be ≥ 0, or a node set"));
+            return None;
+        }
+        None => {}
+    }
+    let token = Token { text: &value.text, span: value.span };
+    let nodes = scene.nodes_of(token, diagnostics)?;
+    let on_surface: Vec<u32> = match secondary {
+        Secondary::Faces(faces) => {
+            let marks = marked(scene, faces);
+            nodes.into_iter().filter(|&n| marks[n as usize]).collect()
+        }
+        Secondary::Nodes(own) => {
+            nodes.into_iter().filter(|n| own.binary_search_by_key(n, |(node, _)| *node).is_ok()).collect()
+        }
+    };
+    if on_surface.is_empty() {
+        let title = format!("no node of set `{}` is on the secondary surface", normalized(&value.text));
+        diagnostics.push(Diagnostic::error(value.span, title));
+    }
+    Some(Adjust::Nodes(on_surface))
+}

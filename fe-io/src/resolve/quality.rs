@@ -1,0 +1,123 @@
+//! Checks of the bodies as a whole.
+
+use super::scene::Scene;
+use crate::diagnostic::{Diagnostic, Diagnostics};
+use fe_core::element::{ElementType, Space};
+use fe_core::solid::SolidBlock;
+use fe_mesh::CellId;
+
+/// Above this Poisson's ratio constant-strain elements are far too stiff.
+const NEARLY_INCOMPRESSIBLE: f64 = 0.49;
+
+/// Plane and solid elements do not mix, nor plane and axisymmetric ones; plane nodes have z = 0.
+pub fn spaces(scene: &mut Scene<'_>, diagnostics: &mut Diagnostics) {
+    let kind = |space: Space| match space {
+        Space::Solid => "three-dimensional",
+        Space::PlaneStrain | Space::PlaneStress => "plane",
+        Space::Axisymmetric => "axisymmetric",
+    };
+    let mut used =
+        scene.structure.elements.iter().enumerate().filter(|(i, _)| !scene.structure.mesh.blocks[*i].is_empty());
+    if let Some((first, element)) = used.next() {
+        let other = used.find(|(_, other)| kind(other.space()) != kind(element.space()));
+        if let Some((block, other)) = other {
+            let cell = |block: usize| scene.place_of(CellId { block: block as u32, cell: 0 });
+            let title = format!(
+                "{} elements are {}, {} elements are {}: they do not mix",
+                element.name(),
+                kind(element.space()),
+                other.name(),
+                kind(other.space())
+            );
+            if let (Some(at), Some(before)) = (cell(block), cell(first)) {
+                let fault = Diagnostic::error(at, title).label(other.name());
+                diagnostics.push(fault.related(before, element.name()));
+            }
+        }
+    }
+    if scene.structure.is_plane() {
+        let off = scene.structure.mesh.points.iter().position(|point| point[2] != 0.0);
+        if let Some(node) = off {
+            let title = format!("node {} of a plane model has z ≠ 0", scene.node_label(node as u32));
+            diagnostics.push(Diagnostic::warning(scene.node_places[node], title).label("taken as 0"));
+        }
+        scene.structure.mesh.points.iter_mut().for_each(|point| point[2] = 0.0);
+    }
+}
+
+/// Freedoms of all nodes; a reference node belongs to no element.
+pub fn freedoms(scene: &mut Scene<'_>, diagnostics: &mut Diagnostics) {
+    let (node, rigid) = if scene.structure.is_plane() { (0b11, 0b100011) } else { (0b111, 0b111111) };
+    let mut masks = vec![0u8; scene.structure.mesh.points.len()];
+    for block in &scene.structure.mesh.blocks {
+        block.nodes.iter().for_each(|&n| masks[n as usize] = node);
+    }
+    for (surface, &reference) in &scene.references {
+        if masks[reference as usize] == node {
+            let title = format!("node {} belongs to elements", scene.node_label(reference));
+            let at = scene.surfaces.get(surface).map_or(scene.node_places[reference as usize], |(_, at)| *at);
+            diagnostics.push(Diagnostic::error(at, title).label("the reference node of a rigid surface stands alone"));
+        }
+        masks[reference as usize] |= rigid;
+    }
+    scene.masks = masks;
+}
+
+/// Elements with the same nodes are told.
+pub fn twins(scene: &Scene<'_>, diagnostics: &mut Diagnostics) {
+    let mesh = &scene.structure.mesh;
+    let sorted = |cell: CellId| {
+        let mut nodes = mesh.cell(cell).to_vec();
+        nodes.sort_unstable();
+        nodes
+    };
+    // The sum and the least node tell most elements apart; only those alike are compared.
+    let key = |cell: CellId| {
+        let nodes = mesh.cell(cell);
+        let sum: u64 = nodes.iter().map(|&n| (u64::from(n) + 1).wrapping_mul(0x9E37_79B9_7F4A_7C15) >> 20).sum();
+        (nodes.iter().min().copied().unwrap_or(0), sum)
+    };
+    let mut keys: Vec<((u32, u64), CellId)> = mesh.cells().map(|cell| (key(cell), cell)).collect();
+    keys.sort_unstable();
+    for pair in keys.windows(2).filter(|pair| pair[0].0 == pair[1].0) {
+        let (first, second) = (pair[0].1, pair[1].1);
+        if sorted(first) == sorted(second)
+            && let Some(at) = scene.place_of(second)
+        {
+            let [a, b] = [first, second].map(|cell| mesh.cell_label(cell));
+            let warning = Diagnostic::warning(at, format!("elements {a} and {b} have the same nodes"));
+            let other = scene.place_of(first).filter(|other| *other != at);
+            diagnostics.push(match other {
+                Some(other) => warning.related(other, "the other one").label("both carry load"),
+                None => warning.label("both carry load"),
+            });
+        }
+    }
+}
+
+/// Elements that cannot be integrated, and materials that do not suit their elements.
+pub fn elements(scene: &Scene<'_>, diagnostics: &mut Diagnostics) {
+    let references: Vec<u32> = scene.references.values().copied().collect();
+    let freedoms = scene.structure.freedoms(&references);
+    for section in &scene.structure.sections {
+        if let Err(bad) = SolidBlock::new(&scene.structure, section, &freedoms)
+            && let Some(at) = scene.place_of(bad.cell)
+        {
+            diagnostics.push(Diagnostic::error(at, bad.to_string()));
+        }
+        let material = &scene.structure.materials[section.material];
+        let constant_strain = matches!(section.element, ElementType::C3D4 | ElementType::CPE3 | ElementType::CAX3);
+        if constant_strain
+            && material.elastic.poisson > NEARLY_INCOMPRESSIBLE
+            && let Some(at) = section.cells.first().and_then(|&cell| scene.place_of(cell))
+        {
+            let title = format!(
+                "{} elements are far too stiff at a Poisson's ratio of {}",
+                section.element.name(),
+                material.elastic.poisson
+            );
+            let warning = Diagnostic::warning(at, title);
+            diagnostics.push(warning.help("above 0.49 take C3D8, C3D10, CPE4 or CAX4"));
+        }
+    }
+}

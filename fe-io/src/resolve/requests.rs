@@ -1,0 +1,281 @@
+//! What a step prints and stores.
+
+use super::scene::{Scene, set};
+use crate::deck::card::{Token, normalized};
+use crate::diagnostic::{Diagnostic, Diagnostics};
+use crate::keyword::check::Entry;
+use crate::model::{ForcePart, Output, Place, Quantity, Table, Totals};
+use fe_contact::pair::PairDefinition;
+use std::collections::BTreeMap;
+
+/// Set of all nodes, for requests without `NSET`.
+const ALL_NODES: &str = "ALL NODES";
+/// Set of all elements, for requests without `ELSET`.
+const ALL_ELEMENTS: &str = "ALL ELEMENTS";
+
+/// The requests in force. Those of one kind of card hold until a step has such a card.
+#[derive(Clone, Debug, Default)]
+pub struct Requests {
+    /// Tables by kind of card, each with its turn in the deck.
+    tables: BTreeMap<&'static str, Vec<(usize, Table)>>,
+    /// Fields by kind of card.
+    fields: BTreeMap<&'static str, Vec<String>>,
+    /// True when the fields are not the usual ones.
+    chosen: bool,
+    frequency: Option<usize>,
+    turn: usize,
+    /// Kinds of cards seen in this step.
+    seen: Vec<&'static str>,
+    /// True after `*OUTPUT, HISTORY`.
+    history: bool,
+}
+
+impl Requests {
+    /// A step begins.
+    pub fn begin_step(&mut self) {
+        self.seen.clear();
+        self.history = false;
+    }
+
+    /// Reads one more card.
+    pub fn read(
+        &mut self,
+        entry: &Entry<'_>,
+        scene: &mut Scene<'_>,
+        pairs: &[(PairDefinition, Place)],
+        diagnostics: &mut Diagnostics,
+    ) {
+        let kind = entry.keyword.name;
+        if kind.ends_with("PRINT") {
+            let first = self.first(kind);
+            let tables = self.tables.entry(kind).or_default();
+            if first {
+                tables.clear();
+            }
+            for table in tables_of(entry, scene, pairs, diagnostics) {
+                tables.push((self.turn, table));
+                self.turn += 1;
+            }
+        } else if kind == "OUTPUT" {
+            self.output(entry, diagnostics);
+        } else {
+            self.fields(entry, scene, diagnostics);
+        }
+    }
+
+    fn first(&mut self, kind: &'static str) -> bool {
+        let first = !self.seen.contains(&kind);
+        self.seen.push(kind);
+        first
+    }
+
+    /// `*OUTPUT`.
+    fn output(&mut self, entry: &Entry<'_>, diagnostics: &mut Diagnostics) {
+        self.history = entry.has("HISTORY");
+        if self.history {
+            let note = Diagnostic::note(entry.card.span, "`*OUTPUT, HISTORY` has no effect");
+            diagnostics.push(note.label("`*NODE PRINT` and `*CONTACT PRINT` give curves"));
+            return;
+        }
+        if self.first("OUTPUT") {
+            self.fields.clear();
+            self.chosen = false;
+            self.frequency = None;
+        }
+        self.common(entry);
+    }
+
+    /// `FREQUENCY` and `VARIABLE`.
+    fn common(&mut self, entry: &Entry<'_>) {
+        if let Some(every) = entry.whole("FREQUENCY") {
+            self.frequency = Some(if every == 0 { usize::MAX } else { every as usize });
+        }
+        if entry.says("VARIABLE", "ALL") {
+            let known = |kind| known_fields(kind).iter().map(|f| (*f).to_owned()).collect();
+            self.fields = ["NODE", "ELEMENT", "CONTACT"].into_iter().map(|kind| (kind, known(kind))).collect();
+            self.chosen = true;
+        }
+    }
+
+    fn fields(&mut self, entry: &Entry<'_>, scene: &Scene<'_>, diagnostics: &mut Diagnostics) {
+        if self.history && entry.keyword.name.ends_with("OUTPUT") {
+            return;
+        }
+        let kind = match entry.keyword.name {
+            "NODE OUTPUT" | "NODE FILE" => "NODE",
+            "ELEMENT OUTPUT" | "EL FILE" => "ELEMENT",
+            _ => "CONTACT",
+        };
+        if self.first(kind) {
+            self.fields.remove(kind);
+        }
+        self.common(entry);
+        for token in scene.deck.lines(entry.card).flat_map(|line| line.tokens()).filter(|t| !t.text.is_empty()) {
+            let word = normalized(token.text);
+            let word = full_name(&word);
+            if known_fields(kind).contains(&word) {
+                let fields = self.fields.entry(kind).or_default();
+                if !fields.iter().any(|field| field == word) {
+                    fields.push(word.to_owned());
+                }
+                self.chosen = true;
+            } else {
+                diagnostics.push(unknown_key(token, word, entry, known_fields(kind)));
+            }
+        }
+    }
+
+    /// What the step prints and stores.
+    pub fn in_force(&self) -> Output {
+        let mut tables: Vec<(usize, Table)> = self.tables.values().flatten().cloned().collect();
+        tables.sort_by_key(|(turn, _)| *turn);
+        let tables = tables.into_iter().map(|(_, table)| table).filter(|table| table.frequency > 0).collect();
+        let fields = self.chosen.then(|| {
+            ["NODE", "ELEMENT", "CONTACT"]
+                .into_iter()
+                .filter_map(|kind| self.fields.get(kind))
+                .flatten()
+                .cloned()
+                .collect()
+        });
+        Output { tables, fields, frequency: self.frequency.unwrap_or(1) }
+    }
+}
+
+/// Fields of the results file by the kind of card that asks for them.
+fn known_fields(kind: &str) -> &'static [&'static str] {
+    match kind {
+        "NODE" => &["U", "RF"],
+        "ELEMENT" => &["S", "E", "MISES"],
+        _ => &["CSTRESS", "CDISP", "CSTATUS", "CFORCE"],
+    }
+}
+
+/// Other spellings.
+fn full_name(word: &str) -> &str {
+    match word {
+        "CSTR" | "CSTRE" => "CSTRESS",
+        "CDIS" => "CDISP",
+        other => other,
+    }
+}
+
+/// Keys that decks know and this program does not.
+const NOT_YET: &[&str] = &[
+    "V", "A", "NT", "NT11", "RFL", "RFL11", "TSF", "TF", "RM", "UR", "UT", "COORD", "POR", "PEEQ", "PE", "LE", "EE",
+    "NE", "ME", "THE", "SDV", "ENER", "EVOL", "ELSE", "ELKE", "EMAS", "EBHE", "SENER", "HFL", "SF", "SINV", "SP", "EP",
+    "PEMAG", "PEQC", "CELS", "CNUM", "CAREA", "CNAREA", "CDSTRESS", "PCON", "PHS", "MAXE", "ZZS", "ERR", "KEQ", "CFT",
+    "CM", "CMN", "CMS", "CMT", "XN", "XS", "XT", "CTRQ", "SOF", "SOM", "SOAREA", "STATUS", "VOLC", "SDEG", "ZZSERR",
+];
+
+fn unknown_key(token: Token<'_>, word: &str, entry: &Entry<'_>, known: &[&str]) -> Diagnostic {
+    let star = entry.keyword.name;
+    if NOT_YET.contains(&word) {
+        let fault = Diagnostic::error(token.span, format!("`{word}` of `*{star}` is not there yet"));
+        return fault.help(format!("there is {}", crate::diagnostic::listed(known)));
+    }
+    Diagnostic::error(token.span, format!("`*{star}` knows no `{word}`")).known(word, known.iter().copied())
+}
+
+/// The quantity of a key.
+fn quantity(star: &str, word: &str, pair: Option<usize>) -> Option<Quantity> {
+    Some(match (star, word) {
+        ("NODE PRINT", "U") => Quantity::Displacement,
+        ("NODE PRINT", "RF") => Quantity::Reaction,
+        ("EL PRINT", "S") => Quantity::Stress,
+        ("EL PRINT", "E") => Quantity::Strain,
+        ("CONTACT PRINT", "CSTRESS") => Quantity::ContactStress,
+        ("CONTACT PRINT", "CDISP") => Quantity::ContactDisplacement,
+        ("CONTACT PRINT", "CF") => Quantity::ContactForce { pair, part: ForcePart::Total },
+        ("CONTACT PRINT", "CFN") => Quantity::ContactForce { pair, part: ForcePart::Normal },
+        ("CONTACT PRINT", "CFS") => Quantity::ContactForce { pair, part: ForcePart::Shear },
+        _ => return None,
+    })
+}
+
+fn tables_of(
+    entry: &Entry<'_>,
+    scene: &mut Scene<'_>,
+    pairs: &[(PairDefinition, Place)],
+    diagnostics: &mut Diagnostics,
+) -> Vec<Table> {
+    let star = entry.keyword.name;
+    let known: &[&str] = match star {
+        "NODE PRINT" => &["U", "RF"],
+        "EL PRINT" => &["S", "E"],
+        _ => &["CSTRESS", "CDISP", "CF", "CFN", "CFS"],
+    };
+    let Some(set) = set_name(entry, scene, diagnostics) else { return Vec::new() };
+    let pair = pair(entry, pairs, diagnostics);
+    let frequency = entry.whole("FREQUENCY").map_or(1, |n| n as usize);
+    let totals = match entry.name("TOTALS").as_deref() {
+        Some("YES") => Totals::Yes,
+        Some("ONLY") => Totals::Only,
+        _ => Totals::No,
+    };
+    let mut tables = Vec::new();
+    let tokens = scene.deck.lines(entry.card).flat_map(|line| line.tokens());
+    for token in tokens.filter(|token| !token.text.is_empty()) {
+        let word = normalized(token.text);
+        let word = full_name(&word);
+        let Some(quantity) = quantity(star, word, pair) else {
+            diagnostics.push(unknown_key(token, word, entry, known));
+            continue;
+        };
+        // Only reactions have a sum that means something; contact forces are sums already.
+        let totals = if quantity == Quantity::Reaction { totals } else { Totals::No };
+        tables.push(Table { quantity, set: set.clone(), frequency, totals });
+    }
+    if tables.is_empty() && diagnostics.faults() == 0 {
+        let fault = Diagnostic::error(entry.card.span, format!("this `*{star}` asks for nothing"));
+        diagnostics.push(fault.help(format!("add a line with {}", crate::diagnostic::listed(known))));
+    }
+    tables
+}
+
+/// Name of the set of a table; empty for contact; `None` when it is not there, which is told.
+fn set_name(entry: &Entry<'_>, scene: &mut Scene<'_>, diagnostics: &mut Diagnostics) -> Option<String> {
+    let parameter = match entry.keyword.name {
+        "NODE PRINT" => "NSET",
+        "EL PRINT" => "ELSET",
+        _ => return Some(String::new()),
+    };
+    let Some(value) = entry.value(parameter) else {
+        let mesh = &mut scene.structure.mesh;
+        if parameter == "NSET" {
+            let all = (0..mesh.points.len() as u32).collect();
+            mesh.node_sets.entry(ALL_NODES.to_owned()).or_insert(all);
+            return Some(ALL_NODES.to_owned());
+        }
+        let all = mesh.cells().collect();
+        mesh.cell_sets.entry(ALL_ELEMENTS.to_owned()).or_insert(all);
+        return Some(ALL_ELEMENTS.to_owned());
+    };
+    let token = Token { text: &value.text, span: value.span };
+    let there = match parameter {
+        "NSET" => set(&scene.structure.mesh.node_sets, "node set", token, diagnostics).is_some(),
+        _ => scene.cell_set(token, diagnostics).is_some(),
+    };
+    there.then(|| normalized(&value.text))
+}
+
+/// The pair of `MAIN=` and `SECONDARY=`, an index into the model's pairs.
+fn pair(entry: &Entry<'_>, pairs: &[(PairDefinition, Place)], diagnostics: &mut Diagnostics) -> Option<usize> {
+    let (main, secondary) = (entry.value("MAIN"), entry.value("SECONDARY"));
+    let (Some(main), Some(secondary)) = (main, secondary) else {
+        if let Some(one) = main.or(secondary) {
+            diagnostics.push(Diagnostic::error(one.span, "`MAIN` and `SECONDARY` are given both or not at all"));
+        }
+        return None;
+    };
+    let names = [normalized(&secondary.text), normalized(&main.text)];
+    let found = pairs.iter().position(|(p, _)| p.secondary_name == names[0] && p.main_name == names[1]);
+    if found.is_none() && diagnostics.faults() == 0 {
+        let title = format!("there is no contact pair of `{}` and `{}`", names[0], names[1]);
+        let there: Vec<String> =
+            pairs.iter().map(|(p, _)| format!("SECONDARY={}, MAIN={}", p.secondary_name, p.main_name)).collect();
+        let fault = Diagnostic::error(secondary.span, title);
+        diagnostics.push(fault.known("", there.iter().map(String::as_str)));
+    }
+    found
+}

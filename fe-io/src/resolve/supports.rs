@@ -1,0 +1,154 @@
+//! `*BOUNDARY`.
+
+use super::amplitudes::Amplitudes;
+use super::nodes::line_fields;
+use super::scene::Scene;
+use crate::deck::card::{Token, normalized};
+use crate::deck::number::whole;
+use crate::deck::source::Span;
+use crate::diagnostic::{Diagnostic, Diagnostics};
+use crate::keyword::check::Entry;
+use crate::keyword::row::Row;
+use crate::keyword::{Field, table};
+use fe_core::load::Support;
+use std::collections::HashMap;
+
+/// Named supports and the freedoms that they hold, from 0.
+const NAMED: &[(&str, &[u8])] = &[
+    ("ENCASTRE", &[0, 1, 2, 3, 4, 5]),
+    ("PINNED", &[0, 1, 2]),
+    ("XSYMM", &[0, 4, 5]),
+    ("YSYMM", &[1, 3, 5]),
+    ("ZSYMM", &[2, 3, 4]),
+    ("XASYMM", &[1, 2, 3]),
+    ("YASYMM", &[0, 2, 4]),
+    ("ZASYMM", &[0, 1, 5]),
+];
+
+const BY_NAME: &[Field] = &[table::Field::word("node or set", "a node or a node set"), table::Field::word("name", "")];
+
+/// The supports of the model data or of one step.
+#[derive(Debug, Default)]
+pub struct Supports {
+    /// In the order of the deck, each freedom once.
+    pub items: Vec<Support>,
+    /// Where each one's line stands.
+    places: Vec<Span>,
+    /// Where each freedom of a node stands in `items`.
+    of: HashMap<(u32, u8), u32>,
+}
+
+/// What a line prescribes.
+struct Line<'a> {
+    at: Span,
+    nodes: Token<'a>,
+    freedoms: Vec<u8>,
+    named: bool,
+    value: f64,
+}
+
+impl Supports {
+    /// Reads one more card.
+    pub fn read(
+        &mut self,
+        entry: &Entry<'_>,
+        scene: &Scene<'_>,
+        amplitudes: &Amplitudes,
+        diagnostics: &mut Diagnostics,
+    ) {
+        let amplitude = amplitudes.of(entry, diagnostics);
+        for line in scene.deck.lines(entry.card) {
+            let Some(line) = read_line(entry, line, diagnostics) else { continue };
+            if entry.step.is_none() && line.value != 0.0 {
+                let fault = Diagnostic::error(line.at, "outside steps all prescribed values are zero");
+                diagnostics.push(fault.help("write this `*BOUNDARY` into a step: there the value grows over the step"));
+                continue;
+            }
+            let Some(nodes) = scene.nodes_of(line.nodes, diagnostics) else { continue };
+            existing(&line, &nodes, scene, diagnostics);
+            for node in nodes {
+                for &component in line.freedoms.iter().filter(|&&c| scene.masks[node as usize] >> c & 1 == 1) {
+                    let support = Support { node, component, value: line.value, amplitude };
+                    self.add(support, line.at, scene, diagnostics);
+                }
+            }
+        }
+    }
+
+    fn add(&mut self, support: Support, at: Span, scene: &Scene<'_>, diagnostics: &mut Diagnostics) {
+        let key = (support.node, support.component);
+        let Some(&other) = self.of.get(&key) else {
+            self.of.insert(key, self.items.len() as u32);
+            self.items.push(support);
+            self.places.push(at);
+            return;
+        };
+        let other = other as usize;
+        if self.items[other] != support {
+            let (label, freedom) = (scene.node_label(support.node), support.component + 1);
+            let fault = Diagnostic::error(at, format!("freedom {freedom} of node {label} is prescribed twice"));
+            let first = format!("first here, {}", self.items[other].value);
+            let fault = fault.label(format!("{}", support.value));
+            diagnostics.push(if self.places[other] == at { fault } else { fault.related(self.places[other], first) });
+        }
+    }
+}
+
+fn read_line<'a>(
+    entry: &Entry<'_>,
+    line: crate::deck::card::Line<'a>,
+    diagnostics: &mut Diagnostics,
+) -> Option<Line<'a>> {
+    let second = line.tokens().nth(1).filter(|token| !token.text.is_empty());
+    if let Some(word) = second.filter(|token| token.text.starts_with(|c: char| c.is_alphabetic())) {
+        let row = Row::read(line, BY_NAME, diagnostics);
+        let name = normalized(word.text);
+        let named = NAMED.iter().find(|(known, _)| *known == name);
+        if named.is_none() {
+            let fault = Diagnostic::error(word.span, format!("there is no support `{name}`"));
+            diagnostics.push(fault.known(&name, NAMED.iter().map(|(known, _)| *known)));
+        }
+        let (nodes, (_, freedoms)) = (row.token(0)?, named?);
+        let freedoms = freedoms.to_vec();
+        return row.sound.then_some(Line { at: line.span, nodes, freedoms, named: true, value: 0.0 });
+    }
+    let first = second.and_then(|token| whole(token.text));
+    if let (Some(token), Some(8 | 9 | 11..)) = (second, first) {
+        let title = format!("freedom `{}` is not there: nodes have displacements and rotations", token.text);
+        diagnostics.push(Diagnostic::error(token.span, title).label("1 to 3 translations, 4 to 6 rotations"));
+        return None;
+    }
+    let row = Row::read(line, line_fields(entry, 0), diagnostics);
+    let (first, nodes) = (row.whole(1)?, row.token(0)?);
+    let last = row.whole(2).unwrap_or(first);
+    if row.sound && last < first {
+        diagnostics
+            .push(Diagnostic::error(line.span, format!("the last freedom {last} comes before the first {first}")));
+        return None;
+    }
+    let freedoms = (first..=last).map(|c| c as u8 - 1).collect();
+    row.sound.then(|| Line { at: line.span, nodes, freedoms, named: false, value: row.number(3).unwrap_or(0.0) })
+}
+
+/// Freedoms that none of the nodes has: a fault when that holds for all of the line's freedoms, else a remark, so
+/// that `REF, 1, 6` holds a reference node in plane models too. Named supports take what exists.
+fn existing(line: &Line<'_>, nodes: &[u32], scene: &Scene<'_>, diagnostics: &mut Diagnostics) {
+    let all = nodes.iter().fold(0u8, |mask, &node| mask | scene.masks[node as usize]);
+    let missing: Vec<String> =
+        line.freedoms.iter().filter(|&&c| all >> c & 1 == 0).map(|c| (c + 1).to_string()).collect();
+    if missing.is_empty() || (line.named && missing.len() < line.freedoms.len()) {
+        return;
+    }
+    let (nodes, freedoms) = (normalized(line.nodes.text), missing.join(", "));
+    if missing.len() < line.freedoms.len() {
+        let note = Diagnostic::note(line.at, format!("no node of `{nodes}` has freedom {freedoms}"));
+        diagnostics.push(note.label("left out"));
+        return;
+    }
+    let fault = Diagnostic::error(line.at, format!("no node of `{nodes}` has freedom {freedoms}"));
+    diagnostics.push(match all {
+        0 => fault.label("they belong to no element"),
+        _ if scene.structure.is_plane() => fault.label("plane elements move in x and y: freedoms 1 and 2"),
+        _ => fault.label("solid elements have translations only: freedoms 1 to 3"),
+    });
+}
