@@ -9,6 +9,7 @@ mod error;
 mod facets;
 mod header;
 mod kind;
+mod merge;
 mod number;
 mod reader;
 mod source;
