@@ -11,6 +11,7 @@ mod header;
 mod kind;
 mod merge;
 mod number;
+mod out;
 mod reader;
 mod source;
 mod tags;

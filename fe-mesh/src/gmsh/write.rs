@@ -1,6 +1,7 @@
 //! Writes meshes in format 4.1.
 
 use super::kind::to_gmsh;
+use super::out::Out;
 use crate::cell::CellKind;
 use crate::mesh::Mesh;
 use std::collections::BTreeMap;
@@ -18,10 +19,10 @@ pub enum Encoding {
 /// holds just the nodes of the cell set or surface of the same name is left to it: the reader makes it again.
 pub fn write(mesh: &Mesh, encoding: Encoding) -> Vec<u8> {
     let plan = Plan::of(mesh);
-    let mut out = Out { bytes: Vec::new(), binary: encoding == Encoding::Binary };
+    let mut out = Out::new(encoding == Encoding::Binary);
     out.line("$MeshFormat");
-    out.line(if out.binary { "4.1 1 8" } else { "4.1 0 8" });
-    if out.binary {
+    out.line(if out.is_binary() { "4.1 1 8" } else { "4.1 0 8" });
+    if out.is_binary() {
         out.int(1);
         out.end();
     }
@@ -37,7 +38,7 @@ pub fn write(mesh: &Mesh, encoding: Encoding) -> Vec<u8> {
     out.line("$EndNodes\n$Elements");
     write_elements(&mut out, &plan);
     out.line("$EndElements");
-    out.bytes
+    out.into_bytes()
 }
 
 /// Elements on one entity: all in the same groups.
@@ -244,68 +245,4 @@ fn write_elements(out: &mut Out, plan: &Plan) {
         }
     }
     out.end_of_binary();
-}
-
-/// Where numbers go, in either encoding.
-struct Out {
-    bytes: Vec<u8>,
-    binary: bool,
-}
-
-impl Out {
-    fn line(&mut self, line: &str) {
-        self.bytes.extend_from_slice(line.as_bytes());
-        self.bytes.push(b'\n');
-    }
-
-    fn text(&mut self, value: std::fmt::Arguments) {
-        use std::io::Write;
-        self.bytes.write_fmt(value).expect("a vector takes every byte");
-        self.bytes.push(b' ');
-    }
-
-    fn size(&mut self, value: u64) {
-        if self.binary {
-            self.bytes.extend_from_slice(&value.to_le_bytes());
-        } else {
-            self.text(format_args!("{value}"));
-        }
-    }
-
-    fn int(&mut self, value: i32) {
-        if self.binary {
-            self.bytes.extend_from_slice(&value.to_le_bytes());
-        } else {
-            self.text(format_args!("{value}"));
-        }
-    }
-
-    fn float(&mut self, value: f64) {
-        let plain = value == 0.0 || (1e-5..1e16).contains(&value.abs());
-        match (self.binary, plain) {
-            (true, _) => self.bytes.extend_from_slice(&value.to_le_bytes()),
-            (false, true) => self.text(format_args!("{value}")),
-            (false, false) => self.text(format_args!("{value:e}")),
-        }
-    }
-
-    /// Ends the line, in binary too.
-    fn end(&mut self) {
-        self.bytes.push(b'\n');
-    }
-
-    /// Ends a record of text.
-    fn end_of_text_line(&mut self) {
-        if !self.binary {
-            self.bytes.pop();
-            self.end();
-        }
-    }
-
-    /// Ends a section of binary.
-    fn end_of_binary(&mut self) {
-        if self.binary {
-            self.end();
-        }
-    }
 }
