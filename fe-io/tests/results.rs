@@ -161,3 +161,29 @@ fn a_thousand_increments_cost_the_same_each() {
     assert!(growth(600, 999) < 1.5 * growth(200, 599));
     assert_eq!(reading::compare(&path, &scene), 1000);
 }
+
+/// Throughput of large frames; `cargo test --release -p fe-io --test results -- --ignored --nocapture`.
+#[test]
+#[ignore = "a measurement"]
+fn throughput_of_large_frames() {
+    let path = folder("results_large").join("rows.vtkhdf");
+    let scene = scene(60_000);
+    let mut file = scene.create(&path).unwrap();
+    // A smooth field, as displacements are.
+    let smooth = |rows: usize, width: usize, frame: usize| -> Vec<f64> {
+        (0..rows * width).map(|i| (1e-5 * i as f64 + frame as f64).sin() * 1e-3).collect()
+    };
+    let (mut bytes, mut seconds) = (0, 0.0);
+    for frame in 0..4 {
+        let fields: Vec<Vec<f64>> = FIELDS.iter().map(|f| smooth(scene.rows(f), f.width(), frame)).collect();
+        let fields: Vec<&[f64]> = fields.iter().map(Vec::as_slice).collect();
+        let begin = std::time::Instant::now();
+        file.append(&Frame { time: frame as f64, step: 1, increment: frame, fields: &fields }, &[]).unwrap();
+        seconds += begin.elapsed().as_secs_f64();
+        bytes += fields.iter().map(|f| 8 * f.len()).sum::<usize>();
+    }
+    let stored = std::fs::metadata(&path).unwrap().len() as f64;
+    println!("{:.0} MB/s, {:.2} of the numbers' bytes", bytes as f64 / seconds / 1e6, stored / bytes as f64);
+    assert_eq!(reading::frames(&Hdf5File::open(&path).unwrap()), 4);
+    std::fs::remove_file(&path).unwrap();
+}
