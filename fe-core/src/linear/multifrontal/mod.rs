@@ -24,9 +24,6 @@ use std::sync::Arc;
 use symbolic::Symbolic;
 use walk::Walk;
 
-/// A pivot of at most this part of the matrix's own diagonal entry counts as vanished.
-const VANISHED: f64 = 1e-14;
-
 /// LLᵀ factor of K_ff, the free part of a positive definite matrix.
 #[derive(Default)]
 pub struct Multifrontal {
@@ -38,6 +35,24 @@ impl Multifrontal {
     /// Nothing analysed yet.
     pub fn new() -> Self {
         Multifrontal::default()
+    }
+
+    /// The least held freedom after a factorisation of `matrix`, and its pivot as a part of its own diagonal entry: how
+    /// much of its stiffness is left once all that was eliminated before has given way.
+    pub fn least_held(&self, matrix: &BlockMatrix) -> Option<(usize, f64)> {
+        let diagonal = matrix.diagonal();
+        let pivots = self.symbolic.supernodes.iter().flat_map(|node| {
+            let values = &self.factor[node.values..];
+            (0..node.columns).map(|column| {
+                let panel = node.factor().panel_of(column);
+                (node.unknown + column, values[panel.start + panel.below(column, column).start].powi(2))
+            })
+        });
+        let parts = pivots.map(|(unknown, pivot)| {
+            let freedom = self.symbolic.freedoms[unknown] as usize;
+            (freedom, pivot / diagonal[freedom])
+        });
+        parts.min_by(|a, b| a.1.total_cmp(&b.1))
     }
 
     /// Solves for several right-hand sides in place, each over all freedoms as in [`LinearSolver::solve`].
@@ -94,8 +109,14 @@ impl LinearSolver for Multifrontal {
     }
 }
 
-/// Of each unknown, in the order of elimination, the pivot at or below which nothing holds it.
+/// Of each unknown, in the order of elimination, the pivot at or below which nothing holds it: what rounding may leave
+/// of its diagonal entry. The bound is (n + 1) u Kⱼⱼ (Higham 2002, theorem 10.3); bodies without supports of 10³ to
+/// 3·10⁴ unknowns were seen to leave 0.1 to 0.3 of it, a beam 1000 times as long as thick 8·10⁻⁹ Kⱼⱼ.
 fn least_pivots(symbolic: &Symbolic, matrix: &BlockMatrix) -> Vec<f64> {
+    const MARGIN: f64 = 4.0;
+    const FEWEST: usize = 100; // unknowns, where the bound leaves no room for error in the entries themselves
+    let unit = f64::EPSILON / 2.0;
+    let part = MARGIN * unit * symbolic.freedoms.len().max(FEWEST) as f64;
     let diagonal = matrix.diagonal();
-    symbolic.freedoms.iter().map(|&freedom| VANISHED * diagonal[freedom as usize].max(0.0)).collect()
+    symbolic.freedoms.iter().map(|&freedom| part * diagonal[freedom as usize].max(0.0)).collect()
 }

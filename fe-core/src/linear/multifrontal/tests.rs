@@ -232,7 +232,7 @@ fn a_second_matrix_reuses_the_analysis() {
 
 #[test]
 fn a_floating_body_is_named() {
-    for (cells, copies) in [([2, 2, 2], 1), ([3, 2, 2], 3), ([6, 7, 5], 2)] {
+    for (cells, copies) in [([2, 2, 2], 1), ([3, 2, 2], 3), ([6, 7, 5], 2), ([80, 2, 1], 1), ([10, 10, 10], 1)] {
         let matrix = lattice(cells, copies);
         let body = matrix.pattern.nodes() / copies;
         for floating in 0..copies {
@@ -251,6 +251,15 @@ fn a_floating_body_is_named() {
             .to_vec();
         assert!(named.iter().all(|singular| *singular == named[0]));
     }
+}
+
+/// The slenderness of a cantilever is no mechanism: its tip keeps 1/(4 n³) or so of a cell's stiffness.
+#[test]
+fn a_slender_body_is_held() {
+    let matrix = lattice([1, 1, 300], 1);
+    let free = all_but(&matrix, 4);
+    let (freedom, part) = factored(&matrix, &free).unwrap().least_held(&matrix).unwrap();
+    assert!(free[freedom] && (1e-9..1e-5).contains(&part), "{part:e}");
 }
 
 #[test]
