@@ -238,6 +238,29 @@ pub fn jiggle(x: [f64; 3], amount: f64) -> [f64; 3] {
     [moved(0), moved(1), if plane { 0.0 } else { moved(2) }]
 }
 
+/// The distortion of a grid of `cells` cells by up to `amount` of a cell, (multi-)linear inside each: refined grids
+/// follow the same pattern.
+pub fn pattern(x: [f64; 3], cells: usize, amount: f64) -> [f64; 3] {
+    let n = cells as f64;
+    let low = x.map(|x| ((x * n).floor().min(n - 1.0)) / n);
+    let mut moved = [0.0; 3];
+    for corner in 0..8 {
+        let high = [corner & 1, corner >> 1 & 1, corner >> 2];
+        let mut weight = 1.0;
+        let mut at = [0.0; 3];
+        for i in 0..3 {
+            let part = (x[i] - low[i]) * n;
+            weight *= if high[i] == 1 { part } else { 1.0 - part };
+            at[i] = ((low[i] * n).round() + high[i] as f64) / n;
+        }
+        if weight != 0.0 {
+            let corner = jiggle(at, amount / n);
+            (0..3).for_each(|i| moved[i] += weight * corner[i]);
+        }
+    }
+    moved
+}
+
 /// Puts mid nodes halfway between their corners.
 pub fn straighten(scene: &mut Scene) {
     let mesh = &mut scene.structure.mesh;
