@@ -1,6 +1,8 @@
-//! Small scenes: one section on a regular grid, moved as a test asks, and a dense solution.
+//! Small scenes: one section on a regular grid, moved as a test asks, and its solution.
 
 use crate::element::{ElementType, Space};
+use crate::linear::LinearSolver;
+use crate::linear::multifrontal::Multifrontal;
 use crate::material::{Elastic, Material};
 use crate::matrix::{BlockMatrix, Couplings, Pattern};
 use crate::solid::SolidBlock;
@@ -8,7 +10,7 @@ use crate::structure::{Section, Structure};
 use crate::term::{Assembly, Motion, Term};
 use crate::{Freedoms, element};
 use fe_mesh::{CellBlock, CellId, CellKind, Face, Mesh};
-use nalgebra::{DMatrix, DVector};
+use nalgebra::DMatrix;
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
@@ -144,7 +146,10 @@ impl Scene {
         let mut rest = vec![0.0; u.len()];
         stiffness.multiply_add(&u, &mut rest);
         rest.iter_mut().zip(force).for_each(|(r, f)| *r = f - *r);
-        solve_free(&stiffness, &free, &mut rest);
+        let mut solver = Multifrontal::new();
+        solver.analyse(&stiffness.pattern, &free);
+        solver.factor(&stiffness).unwrap();
+        solver.solve(&mut rest);
         u.iter_mut().zip(&rest).for_each(|(u, d)| *u += d);
         u
     }
@@ -173,32 +178,6 @@ impl Scene {
         let near = |p: &[f64; 3]| (0..3).all(|i| (p[i] - x[i]).abs() < 1e-9);
         self.structure.mesh.points.iter().position(near).unwrap()
     }
-}
-
-/// Solves K x = b on the free freedoms in place; zero elsewhere.
-fn solve_free(matrix: &BlockMatrix, free: &[bool], x: &mut [f64]) {
-    let pattern = &matrix.pattern;
-    let mut number = vec![usize::MAX; free.len()];
-    let chosen: Vec<usize> = (0..free.len()).filter(|&f| free[f]).collect();
-    chosen.iter().enumerate().for_each(|(i, &f)| number[f] = i);
-    let mut full = DMatrix::zeros(chosen.len(), chosen.len());
-    for i in 0..pattern.nodes() {
-        for k in pattern.row_start[i]..pattern.row_start[i + 1] {
-            let (rows, columns) = (pattern.freedoms.of_node(i), pattern.freedoms.of_node(pattern.columns[k] as usize));
-            let block = &matrix.values[pattern.value_start[k]..];
-            for (r, row) in rows.enumerate() {
-                for (c, column) in columns.clone().enumerate() {
-                    if free[row] && free[column] {
-                        full[(number[row], number[column])] = block[r * columns.len() + c];
-                    }
-                }
-            }
-        }
-    }
-    let right = DVector::from_iterator(chosen.len(), chosen.iter().map(|&f| x[f]));
-    let answer = full.cholesky().unwrap().solve(&right); // reads the lower triangle
-    x.fill(0.0);
-    chosen.iter().zip(answer.iter()).for_each(|(&f, v)| x[f] = *v);
 }
 
 /// Ten-node tetrahedra from four-node ones, the mid nodes appended to the points.
