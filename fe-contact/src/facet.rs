@@ -2,6 +2,7 @@
 
 use fe_core::Structure;
 use fe_core::element::Space;
+use fe_mesh::quadrature::Rule;
 use fe_mesh::{CellKind, Face, shape};
 use nalgebra::{Matrix3, Vector3};
 
@@ -265,5 +266,24 @@ impl Facet {
     pub fn centre(&self) -> [f64; 2] {
         let c = shape::centroid(self.kind);
         [c[0], c[1]]
+    }
+}
+
+/// Quadrature over whole facets, the rules made once: exact to `factor` times the degree of the shape functions,
+/// and one more.
+#[derive(Debug)]
+pub struct Rules(Vec<(CellKind, Rule)>);
+
+impl Rules {
+    /// The rules of all kinds of facet.
+    pub fn new(factor: usize) -> Self {
+        use CellKind::*;
+        let degree = |kind| factor * if matches!(kind, Line2 | Tri3) { 1 } else { 2 } + 1;
+        Rules([Line2, Line3, Tri3, Tri6, Quad4].map(|kind| (kind, Rule::of(kind, degree(kind)))).to_vec())
+    }
+
+    /// Points and weights for a facet.
+    pub fn of(&self, facet: &Facet) -> &[([f64; 3], f64)] {
+        self.0.iter().find(|r| r.0 == facet.kind).map_or(&[], |r| &r.1.points)
     }
 }

@@ -2,11 +2,10 @@
 //! meshes that do not match.
 
 use crate::closest::{Closest, Found};
-use crate::facet::{Facet, Vec3};
+use crate::facet::{Facet, Rules, Vec3};
 use crate::overlap::{FACING, Sides};
 use crate::share::Share;
 use crate::surface_to_surface::{Constraints, RigidSide};
-use fe_mesh::quadrature::Rule;
 use rayon::prelude::*;
 use std::collections::BTreeMap;
 
@@ -25,12 +24,13 @@ pub struct Node {
 
 /// The nodes of facets, ascending, with mean normals and the integrals of their shape functions.
 pub fn nodes_of(facets: &[Facet]) -> Vec<Node> {
+    let rules = Rules::new(3);
     let mut found: BTreeMap<u32, Node> = BTreeMap::new();
     for facet in facets {
         for (&node, &x) in facet.nodes().iter().zip(facet.points()) {
             found.entry(node).or_insert(Node { node, x, outward: Some(Vec3::zeros()), area: 0.0 });
         }
-        for (xi, w) in Rule::of(facet.kind, 2 * facet.degree() + 2).points {
+        for &(xi, w) in rules.of(facet) {
             let xi = [xi[0], xi[1]];
             let vector = facet.area_vector(xi) * w;
             let area = vector.norm() * facet.factor(&facet.position(xi));

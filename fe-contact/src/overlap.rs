@@ -59,6 +59,7 @@ pub struct Sides<'a> {
     /// Size of the scene [L].
     pub reach: f64,
     rules: Vec<Rule>,
+    line_rules: Vec<Rule>,
 }
 
 /// A plane with its directions.
@@ -148,6 +149,7 @@ impl<'a> Sides<'a> {
             deepest,
             reach,
             rules,
+            line_rules: (0..=CURVED / 2).map(|half| Rule::line(half + 1)).collect(),
         }
     }
 
@@ -316,7 +318,7 @@ impl<'a> Sides<'a> {
         if facet.is_edge() {
             let (low, high) = polygon.iter().fold((f64::MAX, f64::MIN), |(a, b), p| (a.min(p.x), b.max(p.x)));
             let (middle, half) = (0.5 * (low + high), 0.5 * (high - low));
-            let rule = Rule::line(degree / 2 + 1);
+            let rule = &self.line_rules[degree / 2];
             return rule.points.iter().map(|(s, w)| (Vec2::new(middle + half * s[0], 0.0), half * w)).collect();
         }
         let rule = &self.rules[degree];
