@@ -28,7 +28,9 @@ pub fn python() -> Result<PathBuf, &'static str> {
     if !runs(Path::new("python3"), &["-m", "venv", &made.to_string_lossy()]) {
         return Err("no python3 with venv");
     }
-    if !runs(&program(&made), &["-m", "pip", "install", "--quiet", "h5py", "numpy", "vtk"]) {
+    let pip = |packages: &[&str]| runs(&program(&made), &[&["-m", "pip", "install", "--quiet"], packages].concat());
+    // What VTK names as its needs is for drawing.
+    if !(pip(&["h5py", "numpy"]) && pip(&["--no-deps", "vtk"])) {
         let _ = std::fs::remove_dir_all(&made);
         return Err("pip cannot install h5py, numpy and vtk (no network?)");
     }
