@@ -31,7 +31,10 @@ pub(super) fn from_text(name: &str, text: &str) -> Result<Deck, Diagnostics> {
 
 /// A whole file; bytes that are no UTF-8 (comments in older alphabets) are replaced.
 pub(crate) fn bytes_of(path: &Path) -> Result<Vec<u8>, String> {
-    let what = std::fs::metadata(path).map_err(|e| e.to_string())?;
+    let what = std::fs::metadata(path).map_err(|e| match e.kind() {
+        std::io::ErrorKind::NotFound => "there is no such file".to_owned(),
+        _ => e.to_string(),
+    })?;
     if !what.is_file() {
         return Err("it is no file".to_owned());
     }

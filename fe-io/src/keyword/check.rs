@@ -190,6 +190,10 @@ fn value(star: &str, name: &str, kind: Kind, written: &Parameter, laws: &Laws, d
             let fault = Diagnostic::error(written.span, format!("`{name}` of `*{star}` needs a value: `{name}=…`"));
             diagnostics.push(fault);
         }
+        if let Kind::OptionalChoice([Choice { standing: Standing::NotYet(instead), .. }, ..]) = kind {
+            let fault = Diagnostic::error(written.span, format!("`{name}` of `*{star}` is not there yet"));
+            diagnostics.push(fault.help(*instead));
+        }
         return;
     };
     let wrong = |what: &str| {

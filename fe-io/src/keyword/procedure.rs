@@ -7,7 +7,10 @@ pub const STATIC: Keyword = Keyword {
     parameters: &[
         Parameter::of(
             "DIRECT",
-            Kind::OptionalChoice(&[Choice::not_yet("NO STOP", "an increment that does not converge ends the job")]),
+            Kind::OptionalChoice(&[
+                Choice::there("YES"),
+                Choice::not_yet("NO STOP", "an increment that does not converge ends the job"),
+            ]),
             "all increments as large as the first",
         ),
         Parameter::not_yet("RIKS", "prescribe displacements"),

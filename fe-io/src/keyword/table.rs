@@ -75,7 +75,7 @@ pub enum Kind {
     Text,
     /// One of some words.
     Choice(&'static [Choice]),
-    /// One of some words, or nothing.
+    /// One of some words, or nothing, which means the first of them.
     OptionalChoice(&'static [Choice]),
     /// `HARD` or the keyword of a law of the library.
     Law(&'static [Choice]),

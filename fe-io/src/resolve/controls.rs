@@ -33,7 +33,11 @@ pub fn increments(entry: &Entry<'_>, most: usize, deck: &Deck, diagnostics: &mut
     let told = [
         (initial > period, 0, format!("the first increment {initial} is longer than the step, {period}")),
         (minimum > initial, 2, format!("the smallest increment {minimum} is longer than the first, {initial}")),
-        (maximum < initial, 3, format!("the largest increment {maximum} is shorter than the first, {initial}")),
+        (
+            maximum < initial && positive(3).is_some(),
+            3,
+            format!("the largest increment {maximum} is shorter than the first, {initial}"),
+        ),
     ];
     let mut sound = true;
     for (_, i, title) in told.into_iter().filter(|(wrong, ..)| *wrong) {
@@ -78,7 +82,8 @@ pub fn read(entry: &Entry<'_>, deck: &Deck, controls: &mut Controls, diagnostics
             Some(row) => set(&mut controls.balance, row.number(0)),
             None => missing(entry.card.span, diagnostics),
         },
-        _ => {}
+        Some(_) => return,
+        None => {}
     }
     if let Some(more) = lines.find(|line| !line.text.is_empty()) {
         diagnostics.push(Diagnostic::error(more.span, "this is one data line too many"));

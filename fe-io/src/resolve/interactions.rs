@@ -135,11 +135,9 @@ fn exclusions(entry: &Entry<'_>, softened: Option<&str>, diagnostics: &mut Diagn
             }
         });
     }
-    for name in ["PENALTY", "AUGMENTED LAGRANGE"] {
-        if let (Some(parameter), Some(law)) = (entry.parameter(name), softened) {
-            let title = format!("`{name}` is for hard contact, not for `PRESSURE-OVERCLOSURE={law}`");
-            diagnostics.push(Diagnostic::error(parameter.span, title).help("a softened law needs no enforcement"));
-        }
+    if let (Some(parameter), Some(law)) = (entry.parameter("PENALTY"), softened) {
+        let title = format!("`PENALTY` is for hard contact, not for `PRESSURE-OVERCLOSURE={law}`");
+        diagnostics.push(Diagnostic::error(parameter.span, title).help("a softened law needs no enforcement"));
     }
     let ways = ["PENALTY", "AUGMENTED LAGRANGE", "DIRECT"].into_iter().filter_map(|name| entry.parameter(name));
     let ways: Vec<_> = ways.collect();

@@ -96,6 +96,7 @@ fn finish(draft: Draft, scene: &mut Scene<'_>, diagnostics: &mut Diagnostics) ->
 
 /// Reads sections; elements without one are told.
 pub fn sections(entries: &[Entry<'_>], materials: &Materials, scene: &mut Scene<'_>, diagnostics: &mut Diagnostics) {
+    let before = diagnostics.faults();
     let blocks = &scene.structure.mesh.blocks;
     let mut taken: Vec<Vec<Option<u32>>> = blocks.iter().map(|block| vec![None; block.len()]).collect();
     for (number, entry) in entries.iter().enumerate() {
@@ -123,6 +124,10 @@ pub fn sections(entries: &[Entry<'_>], materials: &Materials, scene: &mut Scene<
         if let (Some(Some(material)), Some(thickness)) = (known, thickness) {
             add(*material, thickness, &cells, scene);
         }
+    }
+    // A faulty section may be the one that is missing.
+    if diagnostics.faults() > before || entries.iter().any(|entry| !entry.has("ELSET") || !entry.has("MATERIAL")) {
+        return;
     }
     for (block, taken) in taken.iter().enumerate() {
         missing(block, taken, scene, diagnostics);

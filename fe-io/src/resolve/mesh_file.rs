@@ -26,6 +26,7 @@ pub fn read(entry: &Entry<'_>, scene: &mut Scene<'_>, diagnostics: &mut Diagnost
         Err(why) => {
             let title = format!("the mesh `{}` cannot be read", input.text);
             diagnostics.push(Diagnostic::error(input.span, title).help(why));
+            scene.unread = true;
             return;
         }
     };

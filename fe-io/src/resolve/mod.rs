@@ -54,6 +54,9 @@ pub fn resolve(deck: &Deck, library: &Library) -> Result<Model, Diagnostics> {
     let amplitudes = Amplitudes::read(&named(&entries, &["AMPLITUDE"]), deck, &mut diagnostics);
     let contact = named(&entries, &["SURFACE INTERACTION", "SURFACE BEHAVIOR"]);
     let interactions = Interactions::read(&contact, deck, &library.laws, &mut diagnostics);
+    if scene.unread {
+        return Err(diagnostics);
+    }
     let mut contact_pairs = Vec::new();
     for entry in named(&entries, &["CONTACT PAIR"]) {
         contact_pairs.extend(pairs::read(&entry, &scene, &interactions, &mut diagnostics));
@@ -94,15 +97,20 @@ fn named<'a>(entries: &[Entry<'a>], names: &[&str]) -> Vec<Entry<'a>> {
 
 /// Nodes, elements, sets, surfaces, materials, sections.
 fn bodies(entries: &[Entry<'_>], scene: &mut Scene<'_>, diagnostics: &mut Diagnostics) {
+    let before = diagnostics.faults();
     for entry in named(entries, &["NODE", "MESH"]) {
         match entry.keyword.name {
             "NODE" => nodes::read(&entry, scene, diagnostics),
             _ => mesh_file::read(&entry, scene, diagnostics),
         }
     }
+    if scene.unread {
+        return;
+    }
     for entry in named(entries, &["ELEMENT"]) {
         elements::read(&entry, scene, diagnostics);
     }
+    scene.incomplete = diagnostics.faults() > before;
     for entry in named(entries, &["NSET", "ELSET"]) {
         match entry.keyword.name {
             "NSET" => sets::nodes(&entry, scene, diagnostics),

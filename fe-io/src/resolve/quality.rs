@@ -52,8 +52,11 @@ pub fn freedoms(scene: &mut Scene<'_>, diagnostics: &mut Diagnostics) {
     for block in &scene.structure.mesh.blocks {
         block.nodes.iter().for_each(|&n| masks[n as usize] = node);
     }
+    if scene.incomplete {
+        masks.fill(node);
+    }
     for (surface, &reference) in &scene.references {
-        if masks[reference as usize] == node {
+        if masks[reference as usize] == node && !scene.incomplete {
             let title = format!("node {} belongs to elements", scene.node_label(reference));
             let at = scene.surfaces.get(surface).map_or(scene.node_places[reference as usize], |(_, at)| *at);
             diagnostics.push(Diagnostic::error(at, title).label("the reference node of a rigid surface stands alone"));

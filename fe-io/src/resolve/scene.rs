@@ -47,6 +47,10 @@ pub struct Scene<'a> {
     pub references: BTreeMap<String, u32>,
     /// Element sets of which nothing is left because their elements are faulty, which was told.
     pub faulty_sets: BTreeSet<String>,
+    /// True when elements are missing because their lines are faulty, which was told.
+    pub incomplete: bool,
+    /// True when a mesh file could not be read, which was told: no name is known then.
+    pub unread: bool,
     /// Freedoms of each node, a bit each, `[points]`; filled when all bodies are read.
     pub masks: Vec<u8>,
 }
@@ -65,6 +69,8 @@ impl<'a> Scene<'a> {
             surfaces: BTreeMap::new(),
             references: BTreeMap::new(),
             faulty_sets: BTreeSet::new(),
+            incomplete: false,
+            unread: false,
             masks: Vec::new(),
         }
     }

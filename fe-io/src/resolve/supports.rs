@@ -119,15 +119,18 @@ fn read_line<'a>(
         return None;
     }
     let row = Row::read(line, line_fields(entry, 0), diagnostics);
+    if !row.sound {
+        return None;
+    }
     let (first, nodes) = (row.whole(1)?, row.token(0)?);
     let last = row.whole(2).unwrap_or(first);
-    if row.sound && last < first {
+    if last < first {
         diagnostics
             .push(Diagnostic::error(line.span, format!("the last freedom {last} comes before the first {first}")));
         return None;
     }
     let freedoms = (first..=last).map(|c| c as u8 - 1).collect();
-    row.sound.then(|| Line { at: line.span, nodes, freedoms, named: false, value: row.number(3).unwrap_or(0.0) })
+    Some(Line { at: line.span, nodes, freedoms, named: false, value: row.number(3).unwrap_or(0.0) })
 }
 
 /// Freedoms that none of the nodes has: a fault when that holds for all of the line's freedoms, else a remark, so
