@@ -1,1 +1,5 @@
-fn main() {}
+//! The program `fe`.
+
+fn main() -> std::process::ExitCode {
+    fe::main(fe::standard())
+}

@@ -1,0 +1,193 @@
+//! The certificate: what stands beside every converged increment, and beside the whole run.
+
+use fe_contact::pair::PairState;
+use fe_core::Freedoms;
+use fe_core::element::Space;
+use fe_core::procedure::{Converged, Convergence, Energy, Seconds};
+use fe_core::structure::Structure;
+use std::fmt;
+
+/// Largest imbalance of the forces, over the largest sum of forces, that a certified increment may have. The sum
+/// of up to 10⁶ residuals of 1e-8 each, of random sign, is 1e-5 of one force and much less of their sum.
+const BALANCE: f64 = 1e-6;
+
+/// What is checked of one increment.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Certificate {
+    /// Largest residual over the largest force [-].
+    pub residual: f64,
+    /// Largest overclosure [L] over all pairs, 0 where none is closed.
+    pub overclosure: f64,
+    /// Largest tension left between surfaces, in the law's unit.
+    pub tension: f64,
+    /// Part of the stored energy that sits in the contact laws [-]: with bodies pressed together, the part of the
+    /// contact displacement that the law or the penalty gives way, instead of the bodies.
+    pub contact_share: f64,
+    /// Sum of applied forces by direction [F].
+    pub applied: [f64; 3],
+    /// Sum of reactions by direction [F].
+    pub reaction: [f64; 3],
+    /// Largest component of their sum, over the largest sum of absolute values [-].
+    pub imbalance: f64,
+    /// Energies [F L].
+    pub energy: Energy,
+}
+
+/// Names of the rows that [`Certificate::row`] gives.
+pub const COLUMNS: [&str; 14] = [
+    "residual",
+    "overclosure",
+    "tension",
+    "contact_share",
+    "applied_1",
+    "applied_2",
+    "applied_3",
+    "reaction_1",
+    "reaction_2",
+    "reaction_3",
+    "imbalance",
+    "energy_solids",
+    "energy_contact",
+    "work",
+];
+
+impl Certificate {
+    /// Of a converged state.
+    pub fn of(
+        structure: &Structure,
+        freedoms: &Freedoms,
+        at: &Converged,
+        convergence: &Convergence,
+        pairs: &[PairState],
+        fixed: &[bool],
+    ) -> Self {
+        let (mut applied, mut reaction, mut size) = ([0.0; 3], [0.0; 3], [0.0f64; 3]);
+        for f in 0..freedoms.len() {
+            let c = freedoms.component(f);
+            if c < 3 {
+                let held = if fixed[f] { at.residual[f] } else { 0.0 };
+                applied[c] += at.external[f];
+                reaction[c] += held;
+                size[c] += at.external[f].abs() + held.abs();
+            }
+        }
+        // About the axis, radial forces balance by the ring itself.
+        let axisymmetric = structure.elements.iter().any(|e| e.space() == Space::Axisymmetric);
+        let sums = (0..3).filter(|&c| !(axisymmetric && c == 0)).map(|c| (applied[c] + reaction[c]).abs());
+        let largest = size.into_iter().fold(0.0, f64::max);
+        let ratio = |part: f64, whole: f64| if whole > 0.0 { part / whole } else { 0.0 };
+        Certificate {
+            residual: convergence.ratio(),
+            overclosure: pairs.iter().map(|p| p.overclosure()).fold(0.0, f64::max),
+            tension: pairs.iter().map(|p| p.tension()).fold(0.0, f64::max),
+            contact_share: ratio(at.energy.contact, at.energy.contact + at.energy.solids),
+            applied,
+            reaction,
+            imbalance: ratio(sums.fold(0.0, f64::max), largest),
+            energy: at.energy,
+        }
+    }
+
+    /// The numbers in the order of [`COLUMNS`].
+    pub fn row(&self) -> Vec<f64> {
+        let mut row = vec![self.residual, self.overclosure, self.tension, self.contact_share];
+        row.extend(self.applied);
+        row.extend(self.reaction);
+        row.extend([self.imbalance, self.energy.solids, self.energy.contact, self.energy.work]);
+        row
+    }
+
+    /// Why an increment is not certified, if so. The residual was judged by the procedure.
+    pub fn fault(&self) -> Option<String> {
+        if self.tension > 0.0 {
+            Some(format!("a tension of {:.3e} is left between surfaces that do not hold it", self.tension))
+        } else if self.imbalance > BALANCE {
+            Some(format!("applied forces and reactions differ by {:.3e} of their size", self.imbalance))
+        } else {
+            None
+        }
+    }
+}
+
+/// Certificate of a whole run: the worst of all increments, and what it took.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct RunCertificate {
+    /// Worst numbers of all increments; sums and energies are those of the last one.
+    pub worst: Certificate,
+    /// Increments written.
+    pub increments: usize,
+    /// Attempts that were cut back.
+    pub cutbacks: usize,
+    /// Iterations in all.
+    pub iterations: usize,
+    /// Factorisations.
+    pub factorisations: usize,
+    /// Seconds by phase.
+    pub seconds: Phases,
+    /// Peak memory of the process [bytes], where the system tells.
+    pub peak_memory: Option<u64>,
+}
+
+impl RunCertificate {
+    /// Takes an increment in.
+    pub fn add(&mut self, increment: &Certificate, convergence: &Convergence) {
+        let last = self.worst.clone();
+        self.worst = increment.clone();
+        self.worst.residual = self.worst.residual.max(last.residual);
+        self.worst.overclosure = self.worst.overclosure.max(last.overclosure);
+        self.worst.tension = self.worst.tension.max(last.tension);
+        self.worst.contact_share = self.worst.contact_share.max(last.contact_share);
+        self.worst.imbalance = self.worst.imbalance.max(last.imbalance);
+        self.increments += 1;
+        self.iterations += convergence.status_iterations + convergence.equilibrium_iterations;
+    }
+}
+
+/// Wall-clock seconds of a run.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Phases {
+    /// Deck and meshes.
+    pub read: f64,
+    /// Contact search and integration.
+    pub search: f64,
+    /// The procedure's own phases.
+    pub procedure: Seconds,
+    /// Results.
+    pub write: f64,
+    /// The whole run.
+    pub total: f64,
+}
+
+impl fmt::Display for RunCertificate {
+    fn fmt(&self, out: &mut fmt::Formatter) -> fmt::Result {
+        let w = &self.worst;
+        writeln!(out, "Certificate (worst of {} increments; sums and energies of the last)", self.increments)?;
+        writeln!(out, "  largest residual        {:.2e} of the largest force", w.residual)?;
+        writeln!(out, "  largest overclosure     {:.4e}   tension left {:.1e}", w.overclosure, w.tension)?;
+        if w.energy.contact > 0.0 {
+            let share = 100.0 * w.contact_share;
+            writeln!(out, "  given way by contact    {share:.3} % of the stored energy (0 for rigid contact)")?;
+        }
+        let [x, y, z] = w.applied;
+        writeln!(out, "  applied forces          {x:14.6e} {y:14.6e} {z:14.6e}")?;
+        let [x, y, z] = w.reaction;
+        writeln!(out, "  reactions               {x:14.6e} {y:14.6e} {z:14.6e}")?;
+        writeln!(out, "  balance                 {:.2e} of the forces", w.imbalance)?;
+        let e = w.energy;
+        let (solids, contact, work) = (e.solids, e.contact, e.work);
+        writeln!(out, "  energy                  solids {solids:.6e}, contact {contact:.6e}; work of loads {work:.6e}")?;
+        let (cut, its, factors) = (self.cutbacks, self.iterations, self.factorisations);
+        writeln!(out, "  effort                  {its} iterations, {factors} factorisations, {cut} cutbacks")?;
+        let s = self.seconds;
+        let p = s.procedure;
+        write!(
+            out,
+            "  seconds                 read {:.2}, search {:.2}, order {:.2}, assemble {:.2}, factor {:.2}, solve {:.2}, write {:.2}; in all {:.2}",
+            s.read, s.search, p.order, p.assemble, p.factor, p.solve, s.write, s.total
+        )?;
+        if let Some(bytes) = self.peak_memory {
+            write!(out, "\n  peak memory             {:.0} MB", bytes as f64 / 1e6)?;
+        }
+        Ok(())
+    }
+}

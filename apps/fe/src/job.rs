@@ -1,0 +1,273 @@
+//! The straight line: deck, model, terms; step by step, increment by increment; results and certificate.
+
+use crate::approach::{Approach, FreeBody, approach, free_bodies, in_words};
+use crate::certificate::{Certificate, RunCertificate};
+use crate::course::Course;
+use crate::observer::{Event, Observer};
+use crate::plan::Plan;
+use crate::recorder::{Frame, Recorder};
+use crate::terms::Terms;
+use fe_core::increment::{Failure, IncrementSize};
+use fe_core::linear::multifrontal::Multifrontal;
+use fe_core::procedure::static_general::StaticGeneral;
+use fe_core::procedure::system::Scene;
+use fe_core::procedure::{Converged, Procedure};
+use fe_core::reject::Reject;
+use fe_core::term::Term;
+use fe_io::model::Step;
+use fe_io::{Deck, Library, Model, resolve};
+use std::path::{Path, PathBuf};
+use std::time::Instant;
+
+/// Why a job did not come to its end.
+#[derive(Debug, thiserror::Error)]
+pub enum JobFailure {
+    /// The deck or a mesh has faults; the text holds them all.
+    #[error("{0}")]
+    Deck(String),
+    /// A step ended before its time.
+    #[error("step {step} ended at step time {time:.6e}: {reason}\n{help}")]
+    Step {
+        /// Number, from 1.
+        step: usize,
+        /// Step time of the last converged increment [T].
+        time: f64,
+        /// What happened.
+        reason: String,
+        /// What usually helps.
+        help: String,
+    },
+    /// Results could not be written.
+    #[error("{0}")]
+    Results(#[from] fe_io::results::ResultsError),
+}
+
+/// What a finished job leaves.
+#[derive(Debug)]
+pub struct Report {
+    /// Certificate of the run.
+    pub certificate: RunCertificate,
+    /// Last converged state.
+    pub last: Converged,
+    /// Results file.
+    pub results: PathBuf,
+}
+
+/// Reads, checks and runs a deck. Results stand beside it and replace those of an earlier run once deck and
+/// meshes have been read and checked.
+pub fn run(deck: &Path, library: &Library, observer: &mut dyn Observer) -> Result<Report, JobFailure> {
+    let start = Instant::now();
+    let cards = Deck::read(deck).map_err(|faults| JobFailure::Deck(faults.to_string()))?;
+    let model = resolve(&cards, library).map_err(|faults| JobFailure::Deck(faults.to_string()))?;
+    let read = start.elapsed().as_secs_f64();
+    run_model(&model, deck, read, observer)
+}
+
+/// Runs a model; results are named after `job`, with other endings. `read` are the seconds spent on reading.
+pub fn run_model(model: &Model, job: &Path, read: f64, observer: &mut dyn Observer) -> Result<Report, JobFailure> {
+    let start = Instant::now();
+    let terms = Terms::new(model).map_err(JobFailure::Deck)?;
+    model.notes.iter().chain(&terms.notes).for_each(|note| observer.event(Event::Note(note)));
+    let mut recorder = Recorder::create(job, model, &terms)?;
+    let mut at = Converged {
+        u: vec![0.0; terms.freedoms.len()],
+        residual: vec![0.0; terms.freedoms.len()],
+        external: vec![0.0; terms.freedoms.len()],
+        history: terms.all().iter().map(|term| vec![0.0; term.history()]).collect(),
+        ..Converged::default()
+    };
+    recorder.start(&terms, &at)?;
+    let mut course = Course::new(model);
+    let mut certificate = RunCertificate::default();
+    for (index, step) in model.steps.iter().enumerate() {
+        let mut run = StepRun { model, terms: &terms, step, number: index + 1, observer, recorder: &mut recorder };
+        at = run.run(&mut course, at, &mut certificate)?;
+    }
+    certificate.seconds.read = read;
+    certificate.seconds.search = terms.search_seconds;
+    certificate.seconds.write = recorder.seconds();
+    certificate.seconds.total = read + start.elapsed().as_secs_f64();
+    certificate.peak_memory = fe_io::memory::peak();
+    recorder.finish(&certificate)?;
+    observer.event(Event::Done(&certificate));
+    Ok(Report { certificate, last: at, results: recorder.path().to_path_buf() })
+}
+
+/// One step of a job.
+struct StepRun<'a> {
+    model: &'a Model,
+    terms: &'a Terms,
+    step: &'a Step,
+    number: usize,
+    observer: &'a mut dyn Observer,
+    recorder: &'a mut Recorder,
+}
+
+impl StepRun<'_> {
+    fn run(
+        &mut self,
+        course: &mut Course,
+        mut at: Converged,
+        certificate: &mut RunCertificate,
+    ) -> Result<Converged, JobFailure> {
+        let scene = enter(self.model, self.terms, self.number - 1, course, &at)?;
+        let fixed: Vec<bool> = scene.free().iter().map(|f| !f).collect();
+        let prescribed = scene.prescribed.len();
+        let free = free_bodies(&self.terms.structure, &self.terms.freedoms, &self.terms.bodies, &fixed, &self.terms.pairs);
+        at.step_time = 0.0;
+        self.bring_into_contact(&free, &scene, &mut at)?;
+        let solver = Box::new(Multifrontal::default());
+        let mut procedure = StaticGeneral::new(scene, self.step.controls, solver)
+            .map_err(|reject| self.failure(0.0, explain(&reject, self.terms), help(&reject)))?;
+        let plan = Plan::of(self.terms, self.step, prescribed, procedure.cost(), &free);
+        let period = self.step.increments.period;
+        self.observer.event(Event::Step { number: self.number, plan: &plan, period });
+        let mut size = IncrementSize::new(self.step.increments, self.step.controls);
+        let ended = self.increments(&mut size, &mut procedure, &mut at, &fixed, certificate);
+        certificate.seconds.procedure += procedure.seconds();
+        certificate.factorisations += procedure.factorisations();
+        ended.map(|()| at)
+    }
+
+    fn increments(
+        &mut self,
+        size: &mut IncrementSize,
+        procedure: &mut StaticGeneral,
+        at: &mut Converged,
+        fixed: &[bool],
+        run: &mut RunCertificate,
+    ) -> Result<(), JobFailure> {
+        loop {
+            let attempt = match size.next_attempt() {
+                Ok(Some(attempt)) => attempt,
+                Ok(None) => return Ok(()),
+                Err(failure) => return Err(self.gave_up(at, &failure)),
+            };
+            match procedure.advance(at, attempt) {
+                Ok((next, convergence)) => {
+                    *at = next;
+                    size.accept(attempt, convergence.equilibrium_iterations);
+                    let states: Vec<_> = self.terms.pairs.iter().map(|pair| pair.state(&at.u)).collect();
+                    let (structure, freedoms) = (&self.terms.structure, &self.terms.freedoms);
+                    let certificate = Certificate::of(structure, freedoms, at, &convergence, &states, fixed);
+                    if let Some(fault) = certificate.fault() {
+                        return Err(self.failure(at.step_time, fault, "this increment was not written".into()));
+                    }
+                    run.add(&certificate, &convergence);
+                    let frame = Frame { at, attempt, step: self.number, certificate: &certificate, states: &states, fixed };
+                    self.recorder.increment(self.terms, self.step, &frame)?;
+                    let contact_force = states.iter().map(|s| norm(s.force())).sum();
+                    let step = self.number;
+                    let convergence = &convergence;
+                    let certificate = &certificate;
+                    self.observer.event(Event::Increment { step, attempt, convergence, certificate, contact_force });
+                }
+                Err(reason) => {
+                    self.observer.event(Event::Cutback { step: self.number, attempt, reason: &reason });
+                    run.cutbacks += 1;
+                    size.cut_back(attempt, reason).map_err(|failure| self.gave_up(at, &failure))?;
+                }
+            }
+        }
+    }
+
+    /// Bodies held by contact alone are moved, without strain, until they touch.
+    fn bring_into_contact(&mut self, free: &[FreeBody], scene: &Scene, at: &mut Converged) -> Result<(), JobFailure> {
+        let period = self.step.increments.period;
+        let external = scene.external.at(period, at.total_time + period, period, at.u.len());
+        let terms = self.terms;
+        for body in free {
+            let found = &terms.bodies[body.body];
+            let name = terms.body_name(found);
+            let motions: Vec<String> = body.motions.iter().map(|m| in_words(m, found.size)).collect();
+            let motions = motions.join(", ");
+            if !body.touched {
+                let reason = format!("nothing holds {name}: it is free {motions}, and no contact pair has it");
+                return Err(self.failure(0.0, reason, "hold it by *BOUNDARY, or bring it into a *CONTACT PAIR".into()));
+            }
+            let state = (at.u.as_slice(), external.as_slice());
+            match approach(&terms.structure, &terms.freedoms, found, &body.motions, &terms.pairs, state) {
+                Approach::None => {}
+                Approach::Moved { field, translation: [x, y, z] } => {
+                    at.u.iter_mut().zip(&field).for_each(|(u, d)| *u += d);
+                    self.observer.event(Event::Note(&format!(
+                        "{name} is held by contact alone (free {motions}): moved by ({x:.6e}, {y:.6e}, {z:.6e}) into first contact, without strain"
+                    )));
+                }
+                Approach::Lost { direction: [x, y, z] } => {
+                    let reason = format!(
+                        "{name} is free {motions}; its load drives it along ({x:.3}, {y:.3}, {z:.3}), where no surface of a pair stops it"
+                    );
+                    return Err(self.failure(0.0, reason, "turn the load, or hold the body by *BOUNDARY".into()));
+                }
+            }
+        }
+        Ok(())
+    }
+
+    fn gave_up(&self, at: &Converged, failure: &Failure) -> JobFailure {
+        let (last, text) = match failure {
+            Failure::TooManyAttempts { last, .. } | Failure::TooSmall { last, .. } | Failure::Fixed { last } => {
+                (Some(last), failure.to_string().replace(&last.to_string(), &explain(last, self.terms)))
+            }
+            Failure::TooMany { .. } => (None, failure.to_string()),
+        };
+        let help = last.map_or("allow more by *STEP, INC=".into(), help);
+        self.failure(at.step_time, text, help)
+    }
+
+    fn failure(&self, time: f64, reason: String, help: String) -> JobFailure {
+        JobFailure::Step { step: self.number, time, reason, help: format!("help: {help}") }
+    }
+}
+
+/// The scene of a step: what acts in it, from the state that it starts with.
+pub fn enter<'a>(
+    model: &Model,
+    terms: &'a Terms,
+    index: usize,
+    course: &mut Course,
+    at: &Converged,
+) -> Result<Scene<'a>, JobFailure> {
+    let step = &model.steps[index];
+    let initial: &[_] = if index == 0 { &model.supports } else { &[] };
+    course.enter(initial, step, &terms.freedoms, at);
+    let external = course
+        .external(&terms.structure, &terms.freedoms)
+        .map_err(|error| JobFailure::Deck(format!("{}:{}: {error}", step.place.file, step.place.line)))?;
+    Ok(Scene {
+        freedoms: &terms.freedoms,
+        terms: terms.all(),
+        external,
+        prescribed: course.prescribed(),
+        period: step.increments.period,
+    })
+}
+
+/// A reason with the labels that the user knows.
+fn explain(reject: &Reject, terms: &Terms) -> String {
+    match reject {
+        Reject::Singular { node, component } => {
+            let label = terms.structure.mesh.point_labels[*node];
+            let body = terms.bodies.iter().find(|b| b.nodes.binary_search(&(*node as u32)).is_ok());
+            let body = body.map_or(String::new(), |b| format!(" ({})", terms.body_name(b)));
+            format!("nothing holds freedom {} of node {label}{body}: the stiffness is singular there", component + 1)
+        }
+        other => other.to_string(),
+    }
+}
+
+/// What usually helps.
+fn help(reject: &Reject) -> String {
+    match reject {
+        Reject::Singular { .. } => "hold the body by *BOUNDARY, or let contact hold it before it is loaded by force",
+        Reject::StatusChanges { .. } => "a smaller first increment, or a softer penalty on *SURFACE BEHAVIOR, PENALTY",
+        Reject::NoConvergence { .. } | Reject::Diverging { .. } => "a smaller first increment on *STATIC",
+        Reject::NotFinite { .. } => "look for extreme numbers in materials, loads and coordinates",
+    }
+    .into()
+}
+
+fn norm(v: [f64; 3]) -> f64 {
+    v.iter().map(|x| x * x).sum::<f64>().sqrt()
+}

@@ -1,0 +1,75 @@
+//! From a model to the terms that are assembled.
+
+use fe_contact::pair::{self, Pair};
+use fe_core::Freedoms;
+use fe_core::bodies::{Body, bodies};
+use fe_core::solid::SolidBlock;
+use fe_core::structure::Structure;
+use fe_io::Model;
+use std::time::Instant;
+
+/// The terms of a job, and the structure they act on.
+pub struct Terms {
+    /// Bodies as they are after strain-free adjustment.
+    pub structure: Structure,
+    /// Freedoms of all nodes.
+    pub freedoms: Freedoms,
+    /// One block for each section.
+    pub solids: Vec<SolidBlock>,
+    /// Contact pairs, in the deck's order.
+    pub pairs: Vec<Pair>,
+    /// Connected bodies.
+    pub bodies: Vec<Body>,
+    /// Remarks, a line each.
+    pub notes: Vec<String>,
+    /// Seconds for contact search and integration.
+    pub search_seconds: f64,
+}
+
+impl Terms {
+    /// Builds them; a fault is told with its place in the deck.
+    pub fn new(model: &Model) -> Result<Self, String> {
+        let start = Instant::now();
+        let mut structure = model.structure.clone();
+        let mut notes = Vec::new();
+        let definitions: Vec<&pair::PairDefinition> = model.pairs.iter().map(|(d, _)| d).collect();
+        let place = |k: usize| format!("{}:{}", model.pairs[k].1.file, model.pairs[k].1.line);
+        for (k, moved) in pair::adjust(&structure, &definitions).map_err(|(k, e)| format!("{}: {e}", place(k)))? {
+            notes.push(moved.note(&structure, definitions[k]));
+            moved.apply(&mut structure.mesh.points);
+        }
+        let freedoms = structure.freedoms(&model.references);
+        let mut pairs = Vec::new();
+        for (k, (definition, _)) in model.pairs.iter().enumerate() {
+            let interaction = &model.interactions[definition.interaction];
+            let pair = Pair::new(&structure, &freedoms, definition, interaction)
+                .map_err(|e| format!("{}: {}", place(k), e.in_words(&structure)))?;
+            notes.extend(pair.notes().iter().cloned());
+            pairs.push(pair);
+        }
+        let search_seconds = start.elapsed().as_secs_f64();
+        let mut solids = Vec::new();
+        for section in &structure.sections {
+            solids.push(SolidBlock::new(&structure, section, &freedoms).map_err(|e| e.to_string())?);
+        }
+        let bodies = bodies(&structure, &model.references);
+        Ok(Terms { structure, freedoms, solids, pairs, bodies, notes, search_seconds })
+    }
+
+    /// What the user may know a body by: the largest element set inside it, or one of its nodes.
+    pub fn body_name(&self, body: &Body) -> String {
+        let mesh = &self.structure.mesh;
+        let inside = |n: &u32| body.nodes.binary_search(n).is_ok();
+        let mut best: Option<(&String, usize)> = None;
+        for (name, cells) in &mesh.cell_sets {
+            let whole = !cells.is_empty() && cells.iter().all(|&c| mesh.cell(c).iter().all(inside));
+            if whole && best.is_none_or(|(_, count)| cells.len() > count) {
+                best = Some((name, cells.len()));
+            }
+        }
+        match best {
+            Some((name, _)) => format!("body {name}"),
+            None => format!("the body of node {}", mesh.point_labels[body.nodes[0] as usize]),
+        }
+    }
+}
