@@ -1,0 +1,45 @@
+//! `fe check`: reads a deck as a run would, and tells what each step needs.
+
+use crate::approach::free_bodies;
+use crate::course::Course;
+use crate::job::{JobFailure, enter};
+use crate::plan::Plan;
+use crate::terms::Terms;
+use fe_core::linear::LinearSolver;
+use fe_core::linear::multifrontal::Multifrontal;
+use fe_core::procedure::Converged;
+use fe_io::{Deck, Library, resolve};
+use std::fmt::Write;
+use std::path::Path;
+
+/// The plan of every step, in words.
+pub fn check(deck: &Path, library: &Library) -> Result<String, JobFailure> {
+    let cards = Deck::read(deck).map_err(|faults| JobFailure::Deck(faults.to_string()))?;
+    let model = resolve(&cards, library).map_err(|faults| JobFailure::Deck(faults.to_string()))?;
+    let terms = Terms::new(&model).map_err(JobFailure::Deck)?;
+    let mesh = &terms.structure.mesh;
+    let mut text = String::new();
+    let (nodes, cells, bodies) = (mesh.points.len(), mesh.cell_count(), terms.bodies.len());
+    // Writing to a string does not fail.
+    let _ = writeln!(text, "{nodes} nodes, {cells} elements, {bodies} bodies");
+    model.notes.iter().chain(&terms.notes).for_each(|note| {
+        let _ = writeln!(text, "note: {note}");
+    });
+    let n = terms.freedoms.len();
+    let rest = Converged { u: vec![0.0; n], residual: vec![0.0; n], external: vec![0.0; n], ..Converged::default() };
+    let mut course = Course::new(&model);
+    for (index, step) in model.steps.iter().enumerate() {
+        let scene = enter(&model, &terms, index, &mut course, &rest)?;
+        let free = scene.free();
+        let fixed: Vec<bool> = free.iter().map(|f| !f).collect();
+        let cost = free.contains(&true).then(|| {
+            let mut solver = Multifrontal::default();
+            solver.analyse(&scene.pattern(), &free);
+            solver.cost()
+        });
+        let bodies = free_bodies(&terms.structure, &terms.freedoms, &terms.bodies, &fixed, &terms.pairs);
+        let plan = Plan::of(&terms, step, scene.prescribed.len(), cost, &bodies);
+        let _ = writeln!(text, "\nstep {}, time {}\n{plan}", index + 1, step.increments.period);
+    }
+    Ok(text)
+}

@@ -1,0 +1,174 @@
+//! Values of the stored fields.
+
+use crate::terms::Terms;
+use fe_contact::pair::PairState;
+use fe_contact::point::ContactStatus;
+use fe_core::procedure::Converged;
+use fe_core::solid::PointFields;
+use fe_io::results::{FieldInfo, Location};
+
+/// Stresses and strains of all sections at their integration points; made only when something asks for them.
+pub struct Recovered {
+    /// One for each section.
+    pub blocks: Vec<PointFields>,
+}
+
+impl Recovered {
+    /// At a displacement.
+    pub fn at(terms: &Terms, u: &[f64]) -> Self {
+        Recovered { blocks: terms.solids.iter().map(|block| block.stresses(u)).collect() }
+    }
+}
+
+/// Which tensor.
+#[derive(Clone, Copy, PartialEq)]
+enum Tensor {
+    Stress,
+    Strain,
+}
+
+/// A field needs stresses or strains.
+pub fn needs_recovery(field: &FieldInfo) -> bool {
+    matches!(field.name, "S" | "E" | "MISES")
+}
+
+/// What the fields of one frame are made of.
+pub struct Source<'a> {
+    /// Terms.
+    pub terms: &'a Terms,
+    /// State.
+    pub at: &'a Converged,
+    /// Prescribed freedoms.
+    pub fixed: &'a [bool],
+    /// States of the pairs.
+    pub states: &'a [PairState],
+    /// Stresses, where a field needs them.
+    pub recovered: Option<&'a Recovered>,
+}
+
+impl Source<'_> {
+    /// The numbers of a field, `[rows × width]`, NaN where it is not defined.
+    pub fn values(&self, field: &FieldInfo) -> Vec<f64> {
+        match (field.name, field.location) {
+            ("U", _) => self.vectors(|f| self.at.u[f]),
+            ("RF", _) => self.vectors(|f| if self.fixed[f] { self.at.residual[f] } else { 0.0 }),
+            ("S", Location::Point) => self.nodal(Tensor::Stress).concat(),
+            ("E", Location::Point) => self.nodal(Tensor::Strain).concat(),
+            ("MISES", Location::Point) => self.nodal(Tensor::Stress).iter().map(mises).collect(),
+            ("S", Location::Cell) => self.cells(Tensor::Stress).concat(),
+            ("E", Location::Cell) => self.cells(Tensor::Strain).concat(),
+            ("MISES", Location::Cell) => self.cells(Tensor::Stress).iter().map(mises).collect(),
+            ("CPRESS", _) => self.contact(|node| node.pressure, f64::max),
+            ("COPEN", _) => self.contact(|node| node.opening, f64::min),
+            ("CSTATUS", _) => self.contact(|node| status(node.status), f64::max),
+            ("CNORMF", _) => self.contact_forces(),
+            (other, _) => unreachable!("the list of fields has no {other}"),
+        }
+    }
+
+    /// Translations of a vector over the freedoms, `[points × 3]`.
+    fn vectors(&self, value: impl Fn(usize) -> f64) -> Vec<f64> {
+        let freedoms = &self.terms.freedoms;
+        let mut out = vec![0.0; 3 * freedoms.nodes()];
+        for f in 0..freedoms.len() {
+            let (node, component) = (freedoms.node(f), freedoms.component(f));
+            if component < 3 {
+                out[3 * node + component] = value(f);
+            }
+        }
+        out
+    }
+
+    /// Mean over the cells around each node of what the integration points extrapolate to.
+    fn nodal(&self, tensor: Tensor) -> Vec<[f64; 6]> {
+        let points = self.terms.structure.mesh.points.len();
+        let (mut sum, mut count) = (vec![[0.0; 6]; points], vec![0u32; points]);
+        for (block, fields) in self.terms.solids.iter().zip(self.blocks()) {
+            let corners = block.nodal(tensor_of(fields, tensor));
+            for (node, value) in block.nodes().iter().zip(&corners) {
+                let node = *node as usize;
+                (0..6).for_each(|c| sum[node][c] += value[c]);
+                count[node] += 1;
+            }
+        }
+        sum.iter().zip(count).map(|(s, n)| s.map(|v| if n > 0 { v / f64::from(n) } else { f64::NAN })).collect()
+    }
+
+    /// Mean over the integration points of each cell, in the mesh's order.
+    fn cells(&self, tensor: Tensor) -> Vec<[f64; 6]> {
+        let mesh = &self.terms.structure.mesh;
+        let mut first = vec![0];
+        mesh.blocks.iter().for_each(|block| first.push(first[first.len() - 1] + block.len()));
+        let mut out = vec![[f64::NAN; 6]; mesh.cell_count()];
+        for (block, fields) in self.terms.solids.iter().zip(self.blocks()) {
+            let n = block.points();
+            for (cell, values) in block.cells().iter().zip(tensor_of(fields, tensor).chunks_exact(n)) {
+                let mean = |c: usize| values.iter().map(|v| v[c]).sum::<f64>() / n as f64;
+                out[first[cell.block as usize] + cell.cell as usize] = std::array::from_fn(mean);
+            }
+        }
+        out
+    }
+
+    fn blocks(&self) -> &[PointFields] {
+        self.recovered.map_or(&[], |r| &r.blocks)
+    }
+
+    /// A number of the secondary nodes; where pairs share a node, `merge` of theirs.
+    fn contact(&self, value: impl Fn(&fe_contact::pair::NodeField) -> f64, merge: fn(f64, f64) -> f64) -> Vec<f64> {
+        let mut out = vec![f64::NAN; self.terms.structure.mesh.points.len()];
+        for pair in &self.terms.pairs {
+            for node in pair.node_fields(&self.at.u) {
+                let place = &mut out[node.node as usize];
+                // f64::max and f64::min take the number where the other is NaN.
+                *place = merge(*place, value(&node));
+            }
+        }
+        out
+    }
+
+    fn contact_forces(&self) -> Vec<f64> {
+        let mut out = vec![f64::NAN; 3 * self.terms.structure.mesh.points.len()];
+        for state in self.states {
+            for (node, force) in state.nodal_forces() {
+                for c in 0..3 {
+                    let place = &mut out[3 * node as usize + c];
+                    *place = if place.is_nan() { force[c] } else { *place + force[c] };
+                }
+            }
+        }
+        out
+    }
+}
+
+fn tensor_of(fields: &PointFields, tensor: Tensor) -> &[[f64; 6]] {
+    if tensor == Tensor::Stress { &fields.stress } else { &fields.strain }
+}
+
+/// The number that stands for a status: 0 open, 1 closed, 2 slipping.
+pub fn status(status: ContactStatus) -> f64 {
+    match status {
+        ContactStatus::Open => 0.0,
+        ContactStatus::Closed => 1.0,
+        ContactStatus::Slipping => 2.0,
+    }
+}
+
+/// Mises stress √(3/2 s:s) of a stress xx, yy, zz, xy, yz, xz.
+pub fn mises(s: &[f64; 6]) -> f64 {
+    let [x, y, z, xy, yz, xz] = *s;
+    let normal = (x - y).powi(2) + (y - z).powi(2) + (z - x).powi(2);
+    (0.5 * normal + 3.0 * (xy * xy + yz * yz + xz * xz)).sqrt()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn mises_of_tension_and_shear() {
+        assert_eq!(mises(&[5.0, 0.0, 0.0, 0.0, 0.0, 0.0]), 5.0);
+        assert_eq!(mises(&[2.0, 2.0, 2.0, 0.0, 0.0, 0.0]), 0.0);
+        assert!((mises(&[0.0, 0.0, 0.0, 0.0, 3.0, 0.0]) - 27f64.sqrt()).abs() < 1e-15 * 6.0);
+    }
+}
