@@ -1,6 +1,6 @@
 //! The certificate: what stands beside every converged increment, and beside the whole run.
 
-use fe_contact::pair::PairState;
+use fe_contact::state::PairState;
 use fe_core::Freedoms;
 use fe_core::element::Space;
 use fe_core::procedure::{Converged, Convergence, Energy, Seconds};
@@ -78,8 +78,8 @@ impl Certificate {
         let ratio = |part: f64, whole: f64| if whole > 0.0 { part / whole } else { 0.0 };
         Certificate {
             residual: convergence.ratio(),
-            overclosure: pairs.iter().map(|p| p.overclosure()).fold(0.0, f64::max),
-            tension: pairs.iter().map(|p| p.tension()).fold(0.0, f64::max),
+            overclosure: worst(pairs, |p| p.largest_overclosure),
+            tension: worst(pairs, |p| p.largest_tension),
             contact_share: ratio(at.energy.contact, at.energy.contact + at.energy.solids),
             applied,
             reaction,
@@ -107,6 +107,11 @@ impl Certificate {
             None
         }
     }
+}
+
+/// The largest of what each pair has.
+fn worst(pairs: &[PairState], of: impl Fn(&PairState) -> Option<(u32, f64)>) -> f64 {
+    pairs.iter().filter_map(of).fold(0.0, |largest, (_, value)| largest.max(value))
 }
 
 /// Certificate of a whole run: the worst of all increments, and what it took.

@@ -8,6 +8,7 @@ use std::io::{IsTerminal, Write};
 pub struct Console {
     quiet: bool,
     bar: Option<ProgressBar>,
+    period: f64,
 }
 
 const HEAD: &str =
@@ -23,7 +24,7 @@ impl Console {
             }
             bar
         });
-        Console { quiet, bar }
+        Console { quiet, bar, period: 1.0 }
     }
 
     fn line(&self, text: &str) {
@@ -49,6 +50,7 @@ impl Observer for Console {
             Event::Step { number, plan, period } => {
                 self.line(&format!("\nstep {number}, time {period}: {}", plan.headline()));
                 self.line(HEAD);
+                self.period = period;
                 if let Some(bar) = &self.bar {
                     bar.set_position(0);
                 }
@@ -66,7 +68,7 @@ impl Observer for Console {
                     certificate.overclosure,
                 ));
                 if let Some(bar) = &self.bar {
-                    bar.set_position((1000.0 * attempt.step_time / (attempt.step_time.max(attempt.dt))) as u64);
+                    bar.set_position((1000.0 * attempt.step_time / self.period) as u64);
                 }
             }
             Event::Cutback { step, attempt, reason } => self.line(&format!(

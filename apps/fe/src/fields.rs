@@ -1,8 +1,8 @@
 //! Values of the stored fields.
 
 use crate::terms::Terms;
-use fe_contact::pair::PairState;
 use fe_contact::point::ContactStatus;
+use fe_contact::state::{NodeValues, PairState};
 use fe_core::procedure::Converged;
 use fe_core::solid::PointFields;
 use fe_io::results::{FieldInfo, Location};
@@ -58,8 +58,8 @@ impl Source<'_> {
             ("S", Location::Cell) => self.cells(Tensor::Stress).concat(),
             ("E", Location::Cell) => self.cells(Tensor::Strain).concat(),
             ("MISES", Location::Cell) => self.cells(Tensor::Stress).iter().map(mises).collect(),
-            ("CPRESS", _) => self.contact(|node| node.pressure, f64::max),
-            ("COPEN", _) => self.contact(|node| node.opening, f64::min),
+            ("CPRESS", _) => self.contact(|node| node.opening.map_or(f64::NAN, |_| node.pressure), f64::max),
+            ("COPEN", _) => self.contact(|node| node.opening.unwrap_or(f64::NAN), f64::min),
             ("CSTATUS", _) => self.contact(|node| status(node.status), f64::max),
             ("CNORMF", _) => self.contact_forces(),
             (other, _) => unreachable!("the list of fields has no {other}"),
@@ -115,10 +115,10 @@ impl Source<'_> {
     }
 
     /// A number of the secondary nodes; where pairs share a node, `merge` of theirs.
-    fn contact(&self, value: impl Fn(&fe_contact::pair::NodeField) -> f64, merge: fn(f64, f64) -> f64) -> Vec<f64> {
+    fn contact(&self, value: impl Fn(&NodeValues) -> f64, merge: fn(f64, f64) -> f64) -> Vec<f64> {
         let mut out = vec![f64::NAN; self.terms.structure.mesh.points.len()];
         for pair in &self.terms.pairs {
-            for node in pair.node_fields(&self.at.u) {
+            for node in pair.node_values(&self.at.u) {
                 let place = &mut out[node.node as usize];
                 // f64::max and f64::min take the number where the other is NaN.
                 *place = merge(*place, value(&node));
@@ -130,7 +130,7 @@ impl Source<'_> {
     fn contact_forces(&self) -> Vec<f64> {
         let mut out = vec![f64::NAN; 3 * self.terms.structure.mesh.points.len()];
         for state in self.states {
-            for (node, force) in state.nodal_forces() {
+            for &(node, force) in state.secondary.nodes.iter().chain(&state.main.nodes) {
                 for c in 0..3 {
                     let place = &mut out[3 * node as usize + c];
                     *place = if place.is_nan() { force[c] } else { *place + force[c] };

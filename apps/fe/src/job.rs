@@ -156,7 +156,7 @@ impl StepRun<'_> {
                     run.add(&certificate, &convergence);
                     let frame = Frame { at, attempt, step: self.number, certificate: &certificate, states: &states, fixed };
                     self.recorder.increment(self.terms, self.step, &frame)?;
-                    let contact_force = states.iter().map(|s| norm(s.force())).sum();
+                    let contact_force = states.iter().map(|s| norm(s.secondary.force)).sum();
                     let step = self.number;
                     let convergence = &convergence;
                     let certificate = &certificate;

@@ -1,4 +1,21 @@
 //! The program `fe` as a library: a keyword deck in, a certified results file out.
+//!
+//! A program with laws of its own is one file: `fe::main(Library { .. })`.
 #![cfg_attr(test, allow(clippy::unwrap_used))]
 
+pub mod approach;
+pub mod certificate;
+pub mod check;
+mod cli;
+pub mod console;
 pub mod course;
+pub mod fields;
+pub mod job;
+pub mod observer;
+pub mod plan;
+pub mod recorder;
+pub mod terms;
+
+pub use cli::{main, standard};
+pub use fe_io::Library;
+pub use job::{JobFailure, Report, run, run_model};

@@ -2,6 +2,7 @@
 
 use crate::approach::{FreeBody, in_words};
 use crate::terms::Terms;
+use fe_contact::pair::{Discretization, Pair};
 use fe_core::linear::Cost;
 use fe_core::term::Term;
 use fe_io::model::Step;
@@ -46,7 +47,7 @@ impl Plan {
             ));
         }
         for pair in &terms.pairs {
-            needs.push(("contact pair".into(), pair.summary().to_string()));
+            needs.push(("contact pair".into(), pair_in_words(pair)));
         }
         for body in free {
             let body_of = &terms.bodies[body.body];
@@ -65,6 +66,25 @@ impl Plan {
     }
 }
 
+/// A pair, its constraint and its stiffness with units.
+fn pair_in_words(pair: &Pair) -> String {
+    let s = pair.summary();
+    let how = match s.discretization {
+        Discretization::NodeToSurface => "node to surface",
+        Discretization::SurfaceToSurface => "surface to surface",
+    };
+    let dimension = s.measure.stiffness_dimension();
+    let law = match s.penalty {
+        Some(p) => {
+            let origin = if p.by_default { "ten times the elements beneath" } else { "as given" };
+            format!("hard by penalty, {:.6e} {dimension} ({origin}, scale {})", p.stiffness, p.scale)
+        }
+        None => format!("softened, {:?}", pair.law()),
+    };
+    let (name, points, number) = (pair.name(), s.points, s.measure.words());
+    format!("{name}: {how}, {points} points, {law}; the law's number is a {number}")
+}
+
 fn leaves_out(terms: &Terms, unknowns: usize) -> Vec<String> {
     let mut out = Vec::new();
     if unknowns == 0 {
@@ -73,7 +93,7 @@ fn leaves_out(terms: &Terms, unknowns: usize) -> Vec<String> {
     if terms.pairs.is_empty() {
         out.push("contact: no pair".into());
     } else {
-        if !terms.pairs.iter().any(|p| p.summary().deformable_main) {
+        if !terms.pairs.iter().any(|p| p.has_deformable_main()) {
             out.push("contact search: every main surface is rigid".into());
         }
         out.push("multipliers: a penalty or a law carries the contact".into());
