@@ -33,22 +33,22 @@ pub struct Certificate {
     pub energy: Energy,
 }
 
-/// Names of the rows that [`Certificate::row`] gives.
-pub const COLUMNS: [&str; 14] = [
-    "residual",
-    "overclosure",
-    "tension",
-    "contact_share",
-    "applied_1",
-    "applied_2",
-    "applied_3",
-    "reaction_1",
-    "reaction_2",
-    "reaction_3",
-    "imbalance",
-    "energy_solids",
-    "energy_contact",
-    "work",
+/// Names and dimensions of the numbers that [`Certificate::row`] gives.
+pub const COLUMNS: [(&str, &str); 14] = [
+    ("residual", "1"),
+    ("overclosure", "L"),
+    ("tension", "F/L²"),
+    ("contact_share", "1"),
+    ("applied_1", "F"),
+    ("applied_2", "F"),
+    ("applied_3", "F"),
+    ("reaction_1", "F"),
+    ("reaction_2", "F"),
+    ("reaction_3", "F"),
+    ("imbalance", "1"),
+    ("energy_solids", "F L"),
+    ("energy_contact", "F L"),
+    ("work", "F L"),
 ];
 
 impl Certificate {

@@ -5,7 +5,7 @@ use crate::certificate::{Certificate, RunCertificate};
 use crate::course::Course;
 use crate::observer::{Event, Observer};
 use crate::plan::Plan;
-use crate::recorder::{Frame, Recorder};
+use crate::recorder::{Increment, Recorder};
 use crate::terms::Terms;
 use fe_core::increment::{Failure, IncrementSize};
 use fe_core::linear::multifrontal::Multifrontal;
@@ -88,9 +88,10 @@ pub fn run_model(model: &Model, job: &Path, read: f64, observer: &mut dyn Observ
     certificate.seconds.write = recorder.seconds();
     certificate.seconds.total = read + start.elapsed().as_secs_f64();
     certificate.peak_memory = fe_io::memory::peak();
-    recorder.finish(&certificate)?;
+    let results = recorder.path();
+    recorder.finish(&certificate, at.total_time, "completed")?;
     observer.event(Event::Done(&certificate));
-    Ok(Report { certificate, last: at, results: recorder.path().to_path_buf() })
+    Ok(Report { certificate, last: at, results })
 }
 
 /// One step of a job.
@@ -154,8 +155,9 @@ impl StepRun<'_> {
                         return Err(self.failure(at.step_time, fault, "this increment was not written".into()));
                     }
                     run.add(&certificate, &convergence);
-                    let frame = Frame { at, attempt, step: self.number, certificate: &certificate, states: &states, fixed };
-                    self.recorder.increment(self.terms, self.step, &frame)?;
+                    let now =
+                        Increment { at, attempt, step: self.number, certificate: &certificate, states: &states, fixed };
+                    self.recorder.increment(self.terms, self.step, &now)?;
                     let contact_force = states.iter().map(|s| norm(s.secondary.force)).sum();
                     let step = self.number;
                     let convergence = &convergence;

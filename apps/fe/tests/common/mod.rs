@@ -2,6 +2,7 @@
 #![allow(dead_code)]
 
 pub mod dat;
+pub mod results;
 
 use std::path::{Path, PathBuf};
 use std::process::Command;

@@ -1,0 +1,215 @@
+//! Writes a job's results: frames and histories of the results file, and the printed tables.
+
+use crate::certificate::{COLUMNS, Certificate, RunCertificate};
+use crate::fields::{Recovered, Source, needs_recovery};
+use crate::printed::Printed;
+use crate::terms::Terms;
+use fe_contact::state::PairState;
+use fe_core::increment::Attempt;
+use fe_core::procedure::Converged;
+use fe_io::Model;
+use fe_io::model::Step;
+use fe_io::results::fields::{FIELDS, requested};
+use fe_io::results::history::CERTIFICATE;
+use fe_io::results::{self, FieldInfo, Grid, GridBlock, HistoryInfo, HistoryRow, JobInfo, ResultsError, ResultsFile};
+use std::path::{Path, PathBuf};
+use std::time::Instant;
+
+/// A converged increment, with what stands beside it.
+pub struct Increment<'a> {
+    /// State.
+    pub at: &'a Converged,
+    /// The attempt that converged.
+    pub attempt: Attempt,
+    /// Number of the step, from 1.
+    pub step: usize,
+    /// Certificate.
+    pub certificate: &'a Certificate,
+    /// States of the pairs.
+    pub states: &'a [PairState],
+    /// Prescribed freedoms.
+    pub fixed: &'a [bool],
+}
+
+/// The files of a job, and what goes into them.
+pub struct Recorder {
+    file: ResultsFile,
+    printed: Printed,
+    seconds: f64,
+}
+
+/// Columns of a pair's history.
+const PAIR_COLUMNS: [&str; 8] =
+    ["force_1", "force_2", "force_3", "moment_1", "moment_2", "moment_3", "closed_area", "overclosure"];
+const PAIR_UNITS: [&str; 8] = ["F", "F", "F", "F L", "F L", "F L", "L²", "L"];
+/// Columns of the run's certificate.
+const RUN_COLUMNS: [&str; 13] = [
+    "increments",
+    "cutbacks",
+    "iterations",
+    "factorisations",
+    "seconds_read",
+    "seconds_search",
+    "seconds_order",
+    "seconds_assemble",
+    "seconds_factor",
+    "seconds_solve",
+    "seconds_write",
+    "seconds_total",
+    "peak_memory",
+];
+/// Name of the run's certificate.
+const RUN: &str = "Run";
+
+impl Recorder {
+    /// Creates the files: the job's name with other endings.
+    pub fn create(job: &Path, model: &Model, terms: &Terms) -> Result<Self, ResultsError> {
+        let start = Instant::now();
+        let mesh = &terms.structure.mesh;
+        let blocks: Vec<GridBlock> = mesh
+            .blocks
+            .iter()
+            .map(|block| GridBlock { kind: block.kind, labels: &block.labels, nodes: &block.nodes })
+            .collect();
+        let body = sections_of_cells(terms);
+        let grid = Grid { points: &mesh.points, node_labels: &mesh.point_labels, blocks: &blocks, body: &body };
+        let name = job.file_stem().map(|stem| stem.to_string_lossy().into_owned()).unwrap_or_default();
+        let info = JobInfo { job: &name, heading: &model.heading, version: env!("CARGO_PKG_VERSION") };
+        let fields = chosen_fields(model, terms);
+        let file = ResultsFile::create(&job.with_extension("vtkhdf"), info, &grid, &fields, &histories(terms))?;
+        let printed = Printed::create(&job.with_extension("dat"))?;
+        Ok(Recorder { file, printed, seconds: start.elapsed().as_secs_f64() })
+    }
+
+    /// Where the results file is.
+    pub fn path(&self) -> PathBuf {
+        self.file.path().to_path_buf()
+    }
+
+    /// Seconds spent on writing.
+    pub fn seconds(&self) -> f64 {
+        self.seconds
+    }
+
+    /// The frame at time 0.
+    pub fn start(&mut self, terms: &Terms, at: &Converged) -> Result<(), ResultsError> {
+        let states: Vec<PairState> = terms.pairs.iter().map(|pair| pair.state(&at.u)).collect();
+        let fixed = vec![false; at.u.len()];
+        let start = Instant::now();
+        let recovered = self.file.fields().iter().any(needs_recovery).then(|| Recovered::at(terms, &at.u));
+        let source = Source { terms, at, fixed: &fixed, states: &states, recovered: recovered.as_ref() };
+        self.frame(&source, (0, 0), &[])?;
+        self.seconds += start.elapsed().as_secs_f64();
+        Ok(())
+    }
+
+    /// A converged increment: its histories, its frame where the step asks for one, its tables.
+    pub fn increment(&mut self, terms: &Terms, step: &Step, now: &Increment) -> Result<(), ResultsError> {
+        let start = Instant::now();
+        let last = now.attempt.step_time >= step.increments.period;
+        let due = |frequency: usize| last || (frequency > 0 && now.attempt.increment.is_multiple_of(frequency));
+        let stored = due(step.output.frequency);
+        let tables: Vec<_> = step.output.tables.iter().filter(|table| due(table.frequency)).collect();
+        let recover = stored && self.file.fields().iter().any(needs_recovery) || tables.iter().any(|t| t.needs_recovery());
+        let recovered = recover.then(|| Recovered::at(terms, &now.at.u));
+        let source =
+            Source { terms, at: now.at, fixed: now.fixed, states: now.states, recovered: recovered.as_ref() };
+        let certificate = now.certificate.row();
+        let pairs: Vec<(&str, Vec<f64>)> =
+            terms.pairs.iter().zip(now.states).map(|(pair, state)| (pair.name(), pair_row(state))).collect();
+        let mut rows = vec![HistoryRow { name: CERTIFICATE, values: &certificate }];
+        rows.extend(pairs.iter().map(|(name, values)| HistoryRow { name, values }));
+        if stored {
+            self.frame(&source, (now.step, now.attempt.increment), &rows)?;
+        } else {
+            self.file.append_history(now.at.total_time, now.step, now.attempt.increment, &rows)?;
+        }
+        self.printed.tables(&source, &tables)?;
+        self.seconds += start.elapsed().as_secs_f64();
+        Ok(())
+    }
+
+    fn frame(
+        &mut self,
+        source: &Source,
+        (step, increment): (usize, usize),
+        rows: &[HistoryRow],
+    ) -> Result<(), ResultsError> {
+        let values: Vec<Vec<f64>> = self.file.fields().iter().map(|field| source.values(field)).collect();
+        let fields: Vec<&[f64]> = values.iter().map(Vec::as_slice).collect();
+        self.file.append(&results::Frame { time: source.at.total_time, step, increment, fields: &fields }, rows)
+    }
+
+    /// The end of a job: its certificate, and how it ended.
+    pub fn finish(mut self, certificate: &RunCertificate, time: f64, outcome: &str) -> Result<(), ResultsError> {
+        let (s, p) = (certificate.seconds, certificate.seconds.procedure);
+        let counts = [certificate.increments, certificate.cutbacks, certificate.iterations, certificate.factorisations];
+        let mut row = counts.map(|n| n as f64).to_vec();
+        row.extend([s.read, s.search, p.order, p.assemble, p.factor, p.solve, s.write, s.total]);
+        row.push(certificate.peak_memory.map_or(f64::NAN, |bytes| bytes as f64));
+        self.file.append_history(time, 0, 0, &[HistoryRow { name: RUN, values: &row }])?;
+        self.file.finish(outcome)
+    }
+}
+
+/// Section of each cell, in the mesh's order.
+fn sections_of_cells(terms: &Terms) -> Vec<u32> {
+    let mesh = &terms.structure.mesh;
+    let mut first = vec![0];
+    mesh.blocks.iter().for_each(|block| first.push(first[first.len() - 1] + block.len()));
+    let mut body = vec![0; mesh.cell_count()];
+    for (index, section) in terms.structure.sections.iter().enumerate() {
+        for cell in &section.cells {
+            body[first[cell.block as usize] + cell.cell as usize] = index as u32;
+        }
+    }
+    body
+}
+
+/// The fields that any step asks for; all that make sense where none chooses. No contact field without a pair.
+fn chosen_fields(model: &Model, terms: &Terms) -> Vec<FieldInfo> {
+    let wanted = |field: &FieldInfo| {
+        model.steps.iter().any(|step| match &step.output.fields {
+            None => true,
+            Some(words) => words.iter().any(|word| requested(word).iter().any(|f| *f == field)),
+        })
+    };
+    let contact = |field: &FieldInfo| field.name.starts_with('C');
+    FIELDS.iter().filter(|f| wanted(f) && (!contact(f) || !terms.pairs.is_empty())).copied().collect()
+}
+
+fn histories(terms: &Terms) -> Vec<HistoryInfo> {
+    let own = |words: &[&str]| words.iter().map(|w| w.to_string()).collect::<Vec<_>>();
+    let mut list = vec![
+        HistoryInfo {
+            name: CERTIFICATE.into(),
+            columns: own(&COLUMNS.map(|c| c.0)),
+            units: own(&COLUMNS.map(|c| c.1)),
+            meaning: "what was checked of each increment".into(),
+        },
+        HistoryInfo {
+            name: RUN.into(),
+            columns: own(&RUN_COLUMNS),
+            units: own(&RUN_COLUMNS.map(|name| match name {
+                name if name.starts_with("seconds") => "s",
+                "peak_memory" => "byte",
+                _ => "1",
+            })),
+            meaning: "what the whole run took".into(),
+        },
+    ];
+    list.extend(terms.pairs.iter().map(|pair| HistoryInfo {
+        name: pair.name().into(),
+        columns: own(&PAIR_COLUMNS),
+        units: own(&PAIR_UNITS),
+        meaning: "resultant of the pair on its secondary side".into(),
+    }));
+    list
+}
+
+fn pair_row(state: &PairState) -> Vec<f64> {
+    let mut row = state.secondary.force.to_vec();
+    row.extend(state.secondary.moment);
+    row.extend([state.closed_area, state.largest_overclosure.map_or(0.0, |l| l.1)]);
+    row
+}
