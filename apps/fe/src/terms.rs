@@ -1,10 +1,11 @@
 //! From a model to the terms that are assembled.
 
-use fe_contact::pair::{self, Pair};
+use fe_contact::Pair;
 use fe_core::Freedoms;
 use fe_core::bodies::{Body, bodies};
 use fe_core::solid::SolidBlock;
 use fe_core::structure::Structure;
+use fe_core::term::Term;
 use fe_io::Model;
 use std::time::Instant;
 
@@ -30,20 +31,15 @@ impl Terms {
     /// Builds them; a fault is told with its place in the deck.
     pub fn new(model: &Model) -> Result<Self, String> {
         let start = Instant::now();
-        let mut structure = model.structure.clone();
+        let structure = model.structure.clone();
         let mut notes = Vec::new();
-        let definitions: Vec<&pair::PairDefinition> = model.pairs.iter().map(|(d, _)| d).collect();
         let place = |k: usize| format!("{}:{}", model.pairs[k].1.file, model.pairs[k].1.line);
-        for (k, moved) in pair::adjust(&structure, &definitions).map_err(|(k, e)| format!("{}: {e}", place(k)))? {
-            notes.push(moved.note(&structure, definitions[k]));
-            moved.apply(&mut structure.mesh.points);
-        }
         let freedoms = structure.freedoms(&model.references);
         let mut pairs = Vec::new();
         for (k, (definition, _)) in model.pairs.iter().enumerate() {
             let interaction = &model.interactions[definition.interaction];
             let pair = Pair::new(&structure, &freedoms, definition, interaction)
-                .map_err(|e| format!("{}: {}", place(k), e.in_words(&structure)))?;
+                .map_err(|e| format!("{}: {e}", place(k)))?;
             notes.extend(pair.notes().iter().cloned());
             pairs.push(pair);
         }
@@ -54,6 +50,12 @@ impl Terms {
         }
         let bodies = bodies(&structure, &model.references);
         Ok(Terms { structure, freedoms, solids, pairs, bodies, notes, search_seconds })
+    }
+
+    /// All terms.
+    pub fn all(&self) -> Vec<&dyn Term> {
+        let solids = self.solids.iter().map(|block| block as &dyn Term);
+        solids.chain(self.pairs.iter().map(|pair| pair as &dyn Term)).collect()
     }
 
     /// What the user may know a body by: the largest element set inside it, or one of its nodes.
