@@ -99,6 +99,11 @@ impl Pair {
         &self.sides.main_nodes
     }
 
+    /// True when the main side is an analytical rigid surface: nothing was searched.
+    pub fn has_rigid_main(&self) -> bool {
+        self.reference.is_some()
+    }
+
     /// Largest number of freedoms that one point couples.
     pub fn widest(&self) -> usize {
         self.points.iter().map(|p| p.row.len()).max().unwrap_or(0)

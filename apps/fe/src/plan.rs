@@ -93,7 +93,7 @@ fn leaves_out(terms: &Terms, unknowns: usize) -> Vec<String> {
     if terms.pairs.is_empty() {
         out.push("contact: no pair".into());
     } else {
-        if !terms.pairs.iter().any(|p| p.summary().searched) {
+        if terms.pairs.iter().all(|p| p.has_rigid_main()) {
             out.push("contact search: every main surface is rigid".into());
         }
         out.push("multipliers: a penalty or a law carries the contact".into());
