@@ -56,6 +56,7 @@ impl Pair {
         let both = sides.secondary_nodes.iter().chain(&sides.main_nodes);
         Ok(Pair {
             name: format!("{} on {}", definition.secondary_name, definition.main_name),
+            surfaces: (definition.secondary_name.clone(), definition.main_name.clone()),
             places: points.iter().map(|p| p.nodes.iter().map(place).collect()).collect(),
             law,
             touch: TOUCH * model_size(structure),

@@ -3,20 +3,20 @@
 use crate::pair::Pair;
 
 /// The largest factor t ≥ 0 so that no gap falls below the clearance at which its law starts when everything moves
-/// by t · `sense` · `motion` (over all freedoms, a rigid motion of one body). Gaps are linear in t. `None`: nothing
-/// is ever met; 0: something touches or overlaps already and would be pressed.
-pub fn first_contact<'a>(pairs: impl IntoIterator<Item = &'a Pair>, motion: &[f64], sense: f64) -> Option<f64> {
+/// from the displacement `u` by t · `motion` (both over all freedoms, `motion` a rigid one of one body). Gaps are linear
+/// in t. `None`: nothing is ever met; 0: something touches or overlaps already and would be pressed.
+pub fn first_contact(pairs: &[Pair], u: &[f64], motion: &[f64]) -> Option<f64> {
     let fastest = motion.iter().fold(0.0f64, |m, v| m.max(v.abs()));
     let mut first: Option<f64> = None;
     for pair in pairs {
         let start = pair.law().reach();
-        for (i, point) in pair.points.iter().enumerate() {
-            let rate = sense * pair.rate(i, motion);
+        for i in 0..pair.points.len() {
+            let rate = pair.rate(i, motion);
             // Slower than round-off of the motion: the point slides past.
             if rate >= -1e-10 * fastest {
                 continue;
             }
-            let factor = ((point.gap - start) / -rate).max(0.0);
+            let factor = ((pair.opening(i, u) - start) / -rate).max(0.0);
             first = Some(first.map_or(factor, |f| f.min(factor)));
         }
     }

@@ -52,6 +52,7 @@ pub struct PairDefinition {
 #[derive(Debug)]
 pub struct Pair {
     pub(crate) name: String,
+    pub(crate) surfaces: (String, String),
     /// The points, by ascending secondary node.
     pub points: Vec<ContactPoint>,
     /// Freedoms of each point's nodes.
@@ -72,6 +73,11 @@ impl Pair {
     /// `SECONDARY on MAIN`.
     pub fn name(&self) -> &str {
         &self.name
+    }
+
+    /// Names of the secondary and the main surface.
+    pub fn surfaces(&self) -> (&str, &str) {
+        (&self.surfaces.0, &self.surfaces.1)
     }
 
     /// What the pair turned out to be.

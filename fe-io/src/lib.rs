@@ -5,6 +5,7 @@ pub mod deck;
 pub mod diagnostic;
 pub mod keyword;
 pub mod manual;
+pub mod memory;
 pub mod model;
 pub mod resolve;
 pub mod results;

@@ -101,11 +101,16 @@ fn execute(command: &Command, library: &Library) -> ExitCode {
             Ok(plan) => print(&plan),
             Err(failure) => fail(&failure.to_string()),
         },
-        Command::Keywords { card } => match fe_io::manual::manual(&card.join(" "), &library.laws) {
+        Command::Keywords { card } => match keywords(&card.join(" "), library) {
             Ok(text) => print(&text),
             Err(message) => fail(&message),
         },
     }
+}
+
+/// The manual of a card, or the list of all.
+fn keywords(card: &str, library: &Library) -> Result<String, String> {
+    if card.is_empty() { Ok(fe_io::manual::list()) } else { fe_io::manual::card(card, &library.laws) }
 }
 
 fn print(text: &str) -> ExitCode {

@@ -1,5 +1,6 @@
 //! A run on the terminal: the increment table, a progress bar, the certificate.
 
+use crate::number::scientific;
 use crate::observer::{Event, Observer};
 use indicatif::{ProgressBar, ProgressStyle};
 use std::io::{IsTerminal, Write};
@@ -11,8 +12,7 @@ pub struct Console {
     period: f64,
 }
 
-const HEAD: &str =
-    " step incr att status equil    step time    increment   residual  overclosure  contact force";
+const HEAD: &str = " step incr att status equil    step time    increment   residual  overclosure  contact force";
 
 impl Console {
     /// On standard output, with a progress bar where that is a terminal; or silent.
@@ -57,24 +57,24 @@ impl Observer for Console {
             }
             Event::Increment { step, attempt, convergence: c, certificate, contact_force } => {
                 self.line(&format!(
-                    "{step:5} {:4} {:3} {:6} {:5} {:12.5e} {:12.5e} {:10.2e} {:12.4e} {contact_force:14.6e}",
+                    "{step:5} {:4} {:3} {:6} {:5} {:>12} {:>12} {:>10} {:>12} {:>14}",
                     attempt.increment,
                     attempt.attempt,
                     c.status_iterations,
                     c.equilibrium_iterations,
-                    attempt.step_time,
-                    attempt.dt,
-                    certificate.residual,
-                    certificate.overclosure,
+                    scientific(attempt.step_time, 5),
+                    scientific(attempt.dt, 5),
+                    scientific(certificate.residual, 2),
+                    scientific(certificate.overclosure, 4),
+                    scientific(contact_force, 6),
                 ));
                 if let Some(bar) = &self.bar {
                     bar.set_position((1000.0 * attempt.step_time / self.period) as u64);
                 }
             }
-            Event::Cutback { step, attempt, reason } => self.line(&format!(
-                "{step:5} {:4} {:3} cut back: {reason}",
-                attempt.increment, attempt.attempt
-            )),
+            Event::Cutback { step, attempt, reason } => {
+                self.line(&format!("{step:5} {:4} {:3} cut back: {reason}", attempt.increment, attempt.attempt))
+            }
             Event::Done(certificate) => {
                 if let Some(bar) = self.bar.take() {
                     bar.finish_and_clear();

@@ -208,11 +208,7 @@ mod tests {
     }
 
     fn total(loads: &[Active], node: u32, at: f64) -> f64 {
-        loads
-            .iter()
-            .filter(|a| places(&a.kind).contains(&Place::Node(node)))
-            .map(|a| a.ramp.at(at, at, 1.0))
-            .sum()
+        loads.iter().filter(|a| places(&a.kind).contains(&Place::Node(node))).map(|a| a.ramp.at(at, at, 1.0)).sum()
     }
 
     #[test]

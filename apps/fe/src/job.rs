@@ -13,7 +13,6 @@ use fe_core::procedure::static_general::StaticGeneral;
 use fe_core::procedure::system::Scene;
 use fe_core::procedure::{Converged, Procedure};
 use fe_core::reject::Reject;
-use fe_core::term::Term;
 use fe_io::model::Step;
 use fe_io::{Deck, Library, Model, resolve};
 use std::path::{Path, PathBuf};
@@ -114,7 +113,8 @@ impl StepRun<'_> {
         let scene = enter(self.model, self.terms, self.number - 1, course, &at)?;
         let fixed: Vec<bool> = scene.free().iter().map(|f| !f).collect();
         let prescribed = scene.prescribed.len();
-        let free = free_bodies(&self.terms.structure, &self.terms.freedoms, &self.terms.bodies, &fixed, &self.terms.pairs);
+        let free =
+            free_bodies(&self.terms.structure, &self.terms.freedoms, &self.terms.bodies, &fixed, &self.terms.pairs);
         at.step_time = 0.0;
         self.bring_into_contact(&free, &scene, &mut at)?;
         let solver = Box::new(Multifrontal::default());

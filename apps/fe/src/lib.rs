@@ -11,8 +11,10 @@ pub mod console;
 pub mod course;
 pub mod fields;
 pub mod job;
+pub mod number;
 pub mod observer;
 pub mod plan;
+pub mod printed;
 pub mod recorder;
 pub mod terms;
 

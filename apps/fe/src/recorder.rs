@@ -2,7 +2,7 @@
 
 use crate::certificate::{COLUMNS, Certificate, RunCertificate};
 use crate::fields::{Recovered, Source, needs_recovery};
-use crate::printed::Printed;
+use crate::printed::{self, Printed};
 use crate::terms::Terms;
 use fe_contact::state::PairState;
 use fe_core::increment::Attempt;
@@ -110,10 +110,10 @@ impl Recorder {
         let due = |frequency: usize| last || (frequency > 0 && now.attempt.increment.is_multiple_of(frequency));
         let stored = due(step.output.frequency);
         let tables: Vec<_> = step.output.tables.iter().filter(|table| due(table.frequency)).collect();
-        let recover = stored && self.file.fields().iter().any(needs_recovery) || tables.iter().any(|t| t.needs_recovery());
+        let recover = stored && self.file.fields().iter().any(needs_recovery)
+            || tables.iter().any(|t| printed::needs_recovery(t));
         let recovered = recover.then(|| Recovered::at(terms, &now.at.u));
-        let source =
-            Source { terms, at: now.at, fixed: now.fixed, states: now.states, recovered: recovered.as_ref() };
+        let source = Source { terms, at: now.at, fixed: now.fixed, states: now.states, recovered: recovered.as_ref() };
         let certificate = now.certificate.row();
         let pairs: Vec<(&str, Vec<f64>)> =
             terms.pairs.iter().zip(now.states).map(|(pair, state)| (pair.name(), pair_row(state))).collect();

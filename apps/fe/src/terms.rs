@@ -1,6 +1,8 @@
 //! From a model to the terms that are assembled.
 
 use fe_contact::Pair;
+use fe_contact::adjust::{Moved, adjust};
+use fe_contact::pair::PairDefinition;
 use fe_core::Freedoms;
 use fe_core::bodies::{Body, bodies};
 use fe_core::solid::SolidBlock;
@@ -31,15 +33,19 @@ impl Terms {
     /// Builds them; a fault is told with its place in the deck.
     pub fn new(model: &Model) -> Result<Self, String> {
         let start = Instant::now();
-        let structure = model.structure.clone();
+        let mut structure = model.structure.clone();
         let mut notes = Vec::new();
         let place = |k: usize| format!("{}:{}", model.pairs[k].1.file, model.pairs[k].1.line);
+        let definitions: Vec<PairDefinition> = model.pairs.iter().map(|(d, _)| d.clone()).collect();
+        let moves = adjust(&structure, &definitions, &model.interactions).map_err(|e| e.to_string())?;
+        notes.extend(adjustments(&moves, &definitions));
+        moves.iter().for_each(|m| structure.mesh.points[m.node as usize] = m.to);
         let freedoms = structure.freedoms(&model.references);
         let mut pairs = Vec::new();
         for (k, (definition, _)) in model.pairs.iter().enumerate() {
             let interaction = &model.interactions[definition.interaction];
-            let pair = Pair::new(&structure, &freedoms, definition, interaction)
-                .map_err(|e| format!("{}: {e}", place(k)))?;
+            let pair =
+                Pair::new(&structure, &freedoms, definition, interaction).map_err(|e| format!("{}: {e}", place(k)))?;
             notes.extend(pair.notes().iter().cloned());
             pairs.push(pair);
         }
@@ -74,4 +80,19 @@ impl Terms {
             None => format!("the body of node {}", mesh.point_labels[body.nodes[0] as usize]),
         }
     }
+}
+
+/// What `ADJUST` did, a line for each pair that it moved nodes of.
+fn adjustments(moves: &[Moved], definitions: &[PairDefinition]) -> Vec<String> {
+    let mut notes = Vec::new();
+    for (k, pair) in definitions.iter().enumerate() {
+        let gaps: Vec<f64> = moves.iter().filter(|m| m.pair == k).map(|m| m.gap.abs()).collect();
+        if let Some(largest) = gaps.iter().copied().reduce(f64::max) {
+            let (secondary, main, count) = (&pair.secondary_name, &pair.main_name, gaps.len());
+            notes.push(format!(
+                "ADJUST moved {count} nodes of {secondary} onto {main} without strain, by {largest:.6e} at most"
+            ));
+        }
+    }
+    notes
 }

@@ -213,15 +213,18 @@ fn a_body_is_moved_until_it_is_met() {
     let scene = stacked(0.3, 0.0);
     let definition = surfaces(scene.faces(0, |r| r[1] == 0.0), scene.faces(1, |r| r[1] == 1.0), SurfaceToSurface);
     let (freedoms, nodes) = (scene.freedoms(), 48);
-    let motion = |c: usize| -> Vec<f64> {
-        (0..freedoms.len())
-            .map(|f| f64::from(u8::from(freedoms.component(f) == c && freedoms.node(f) < nodes)))
-            .collect()
+    let motion = |c: usize, by: f64| -> Vec<f64> {
+        let moves = |f: &usize| freedoms.component(*f) == c && freedoms.node(*f) < nodes;
+        (0..freedoms.len()).map(|f| if moves(&f) { by } else { 0.0 }).collect()
     };
+    let rest = vec![0.0; freedoms.len()];
     for (interaction, expected) in [(linear(), 0.3), (hard(None), 0.28)] {
-        let pair = scene.pair(&definition, &interaction);
-        assert!((first_contact([&pair], &motion(1), -1.0).unwrap() - expected).abs() < 1e-14);
-        assert_eq!(first_contact([&pair], &motion(1), 1.0), None);
-        assert_eq!(first_contact([&pair], &motion(0), 1.0), None);
+        let pairs = [scene.pair(&definition, &interaction)];
+        assert!((first_contact(&pairs, &rest, &motion(1, -1.0)).unwrap() - expected).abs() < 1e-14);
+        assert!(
+            (first_contact(&pairs, &motion(1, -0.2), &motion(1, -2.0)).unwrap() - 0.5 * (expected - 0.2)).abs() < 1e-14
+        );
+        assert_eq!(first_contact(&pairs, &rest, &motion(1, 1.0)), None);
+        assert_eq!(first_contact(&pairs, &rest, &motion(0, 1.0)), None);
     }
 }

@@ -49,12 +49,14 @@ pub struct Convergence {
     pub residual: f64,
     /// Largest external, reaction or contact force on one freedom [F].
     pub largest_force: f64,
+    /// Residual that round-off alone explains [F].
+    pub round_off: f64,
 }
 
 impl Convergence {
-    /// Largest residual over the largest force [-]; 0 in a scene without forces.
+    /// Largest residual over the largest force [-]; 0 in a scene without forces above round-off.
     pub fn ratio(&self) -> f64 {
-        if self.largest_force > 0.0 { self.residual / self.largest_force } else { 0.0 }
+        if self.largest_force > self.round_off { self.residual / self.largest_force } else { 0.0 }
     }
 }
 

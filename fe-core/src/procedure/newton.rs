@@ -112,6 +112,7 @@ impl Newton {
             equilibrium_iterations: self.equilibrium_iterations,
             residual: last.residual,
             largest_force: last.largest_force,
+            round_off: last.round_off,
         }
     }
 }

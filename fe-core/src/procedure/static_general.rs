@@ -51,9 +51,9 @@ impl<'a> StaticGeneral<'a> {
         Ok(StaticGeneral { system, controls, solver, factored, factorisations: 0, mean_forces, seconds })
     }
 
-    /// What one factorisation costs.
-    pub fn cost(&self) -> Cost {
-        self.solver.cost()
+    /// What one factorisation costs; `None` where there is no matrix.
+    pub fn cost(&self) -> Option<Cost> {
+        self.system.linear.as_ref().map(|_| self.solver.cost())
     }
 
     /// Factorisations made so far.

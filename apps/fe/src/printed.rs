@@ -1,0 +1,124 @@
+//! The printed tables of a step: values for the `.dat` file.
+
+use crate::fields::Source;
+use fe_contact::pair::Pair;
+use fe_contact::point::ContactStatus;
+use fe_contact::state::{PairState, PointState};
+use fe_io::model::{ForcePart, Quantity, Table};
+use fe_io::results::ResultsError;
+use fe_io::results::table::{ContactRow, ElementRow, PairForce, Tables};
+use std::path::Path;
+
+/// The `.dat` file of a job; it exists once something is printed.
+pub struct Printed {
+    tables: Tables,
+}
+
+/// A table needs stresses or strains.
+pub fn needs_recovery(table: &Table) -> bool {
+    matches!(table.quantity, Quantity::Stress | Quantity::Strain)
+}
+
+impl Printed {
+    /// Creates the file.
+    pub fn create(path: &Path) -> Result<Self, ResultsError> {
+        Ok(Printed { tables: Tables::create(path)? })
+    }
+
+    /// Prints the tables of an increment.
+    pub fn tables(&mut self, source: &Source, tables: &[&Table]) -> Result<(), ResultsError> {
+        for table in tables {
+            self.table(source, table)?;
+        }
+        self.tables.flush()
+    }
+
+    fn table(&mut self, source: &Source, table: &Table) -> Result<(), ResultsError> {
+        let time = source.at.total_time;
+        let at = source.at;
+        match &table.quantity {
+            Quantity::Displacement => {
+                let (labels, values) = nodal(source, &table.set, |f| at.u[f]);
+                self.tables.displacements(&table.set, time, &labels, &values)
+            }
+            Quantity::Reaction => {
+                let reaction = |f: usize| if source.fixed[f] { at.residual[f] } else { 0.0 };
+                let (labels, values) = nodal(source, &table.set, reaction);
+                self.tables.reactions(&table.set, time, &labels, &values, table.totals)
+            }
+            Quantity::Stress => self.tables.stresses(&table.set, time, &elements(source, table)),
+            Quantity::Strain => self.tables.strains(&table.set, time, &elements(source, table)),
+            Quantity::ContactStress => self.tables.contact_stresses(time, &closed(source, |p| p.pressure)),
+            Quantity::ContactDisplacement => self.tables.contact_displacements(time, &closed(source, |p| p.opening)),
+            Quantity::ContactForce { pair, part } => {
+                for (k, (found, state)) in source.terms.pairs.iter().zip(source.states).enumerate() {
+                    if pair.is_none_or(|wanted| wanted == k) {
+                        let force = pair_force(found, state, *part, source);
+                        let (secondary, main) = found.surfaces();
+                        self.tables.contact_force(secondary, main, time, &force)?;
+                    }
+                }
+                Ok(())
+            }
+        }
+    }
+}
+
+/// Labels and translations of a vector over the freedoms, for the nodes of a set.
+fn nodal(source: &Source, set: &str, value: impl Fn(usize) -> f64) -> (Vec<u64>, Vec<[f64; 3]>) {
+    let (mesh, freedoms) = (&source.terms.structure.mesh, &source.terms.freedoms);
+    let nodes = mesh.node_sets.get(set).map_or(&[][..], Vec::as_slice);
+    let vector = |&n: &u32| -> [f64; 3] { std::array::from_fn(|c| freedoms.index(n as usize, c).map_or(0.0, &value)) };
+    (nodes.iter().map(|&n| mesh.point_labels[n as usize]).collect(), nodes.iter().map(vector).collect())
+}
+
+/// Stress or strain at the integration points of the cells of a set.
+fn elements(source: &Source, table: &Table) -> Vec<ElementRow> {
+    let mesh = &source.terms.structure.mesh;
+    let cells = mesh.cell_sets.get(&table.set).map_or(&[][..], Vec::as_slice);
+    let mut rows = Vec::new();
+    let Some(recovered) = source.recovered else { return rows };
+    for (block, fields) in source.terms.solids.iter().zip(&recovered.blocks) {
+        let values = if table.quantity == Quantity::Stress { &fields.stress } else { &fields.strain };
+        let n = block.points();
+        for (i, cell) in block.cells().iter().enumerate().filter(|(_, cell)| cells.binary_search(cell).is_ok()) {
+            let element = mesh.cell_label(*cell);
+            let points = values[i * n..(i + 1) * n].iter().zip(1..);
+            rows.extend(points.map(|(values, point)| ElementRow { element, point, values: *values }));
+        }
+    }
+    rows
+}
+
+/// A number of the constraints that are closed, pair by pair.
+fn closed(source: &Source, value: impl Fn(&PointState) -> f64) -> Vec<ContactRow> {
+    let labels = &source.terms.structure.mesh.point_labels;
+    let points = source.states.iter().flat_map(|state| &state.points).filter(|p| p.status != ContactStatus::Open);
+    points.map(|p| ContactRow { node: labels[p.node as usize], values: [value(p), 0.0, 0.0] }).collect()
+}
+
+/// The resultant of a pair on its secondary side. Without friction the normal part is all of it.
+fn pair_force(pair: &Pair, state: &PairState, part: ForcePart, source: &Source) -> PairForce {
+    if part == ForcePart::Shear {
+        return PairForce::default();
+    }
+    let points = &source.terms.structure.mesh.points;
+    let (mut center, mut normal, mut weight) = ([0.0; 3], [0.0; 3], 0.0);
+    for (point, now) in pair.points.iter().zip(&state.points).filter(|(_, now)| now.status != ContactStatus::Open) {
+        let area = now.measure.value();
+        weight += area;
+        for c in 0..3 {
+            center[c] += area * points[point.node as usize][c];
+            normal[c] -= area * point.normal[c];
+        }
+    }
+    let size = normal.iter().map(|n| n * n).sum::<f64>().sqrt();
+    if weight > 0.0 && size > 0.0 {
+        center.iter_mut().for_each(|c| *c /= weight);
+        normal.iter_mut().for_each(|n| *n /= size);
+    }
+    let force = state.secondary.force;
+    let normal_force = (0..3).map(|c| force[c] * normal[c]).sum();
+    let (moment, area) = (state.secondary.moment, state.closed_area);
+    PairForce { force, moment, center, normal, area, normal_force, shear_force: 0.0 }
+}
