@@ -1,2 +1,3 @@
-//! b
+//! Speed against error: problems with known answers, run through the same entry as `fe`.
+
 fn main() {}

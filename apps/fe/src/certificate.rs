@@ -63,10 +63,10 @@ impl Certificate {
         fixed: &[bool],
     ) -> Self {
         let (mut applied, mut reaction, mut size) = ([0.0; 3], [0.0; 3], [0.0f64; 3]);
-        for f in 0..freedoms.len() {
+        for (f, &prescribed) in fixed.iter().enumerate() {
             let c = freedoms.component(f);
             if c < 3 {
-                let held = if fixed[f] { at.residual[f] } else { 0.0 };
+                let held = if prescribed { at.residual[f] } else { 0.0 };
                 applied[c] += at.external[f];
                 reaction[c] += held;
                 size[c] += at.external[f].abs() + held.abs();

@@ -196,7 +196,9 @@ impl StepRun<'_> {
                         "{name} is held by contact alone (free {motions}): moved by ({x:.6e}, {y:.6e}, {z:.6e}) into first contact, without strain"
                     )));
                 }
-                Approach::Lost { direction: [x, y, z] } => {
+                Approach::Lost { direction } => {
+                    // Round-off prints as nothing.
+                    let [x, y, z] = direction.map(|d| if d.abs() < 5e-4 { 0.0 } else { d });
                     let reason = format!(
                         "{name} is free {motions}; its load drives it along ({x:.3}, {y:.3}, {z:.3}), where no surface of a pair stops it"
                     );

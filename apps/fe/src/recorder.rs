@@ -171,7 +171,7 @@ fn chosen_fields(model: &Model, terms: &Terms) -> Vec<FieldInfo> {
     let wanted = |field: &FieldInfo| {
         model.steps.iter().any(|step| match &step.output.fields {
             None => true,
-            Some(words) => words.iter().any(|word| requested(word).iter().any(|f| *f == field)),
+            Some(words) => words.iter().any(|word| requested(word).contains(&field)),
         })
     };
     let contact = |field: &FieldInfo| field.name.starts_with('C');

@@ -1,4 +1,5 @@
 //! Bodies that contact alone holds: told about, brought into touch without strain, pressed by force.
+#![allow(clippy::unwrap_used)]
 
 mod common;
 

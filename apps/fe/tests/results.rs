@@ -1,4 +1,5 @@
 //! What a run leaves in the results file.
+#![allow(clippy::unwrap_used)]
 
 mod common;
 
