@@ -9,4 +9,5 @@ mod ranks;
 mod rates;
 #[allow(dead_code)]
 mod scene;
+mod speed;
 mod term;
