@@ -70,20 +70,24 @@ def cells_by_type(root):
     return cells
 
 
-def area(points, faces):
-    """Area [L²] of three- or six-node triangles; exact for flat ones."""
+def integral(points, faces, function):
+    """∫ f dA over three- or six-node triangles. f takes one position a face, shape (faces, 3), and the shares of the
+    three corners in it."""
     total = 0.0
     for weight, r, s in radon():
         t = 1.0 - r - s
         if faces.shape[1] == 3:
+            shape = [t, r, s]
             derivatives = [[-1.0, 1.0, 0.0], [-1.0, 0.0, 1.0]]
         else:
+            shape = [t * (2 * t - 1), r * (2 * r - 1), s * (2 * s - 1), 4 * t * r, 4 * r * s, 4 * s * t]
             derivatives = [
                 [1.0 - 4.0 * t, 4.0 * r - 1.0, 0.0, 4.0 * (t - r), 4.0 * s, -4.0 * s],
                 [1.0 - 4.0 * t, 0.0, 4.0 * s - 1.0, -4.0 * r, 4.0 * r, 4.0 * (t - s)],
             ]
         tangents = np.einsum("dn,fnx->fdx", np.array(derivatives), points[faces])
-        total += weight * np.linalg.norm(np.cross(tangents[:, 0], tangents[:, 1]), axis=1).sum()
+        areas = weight * np.linalg.norm(np.cross(tangents[:, 0], tangents[:, 1]), axis=1)
+        total += (areas * function(np.einsum("n,fnx->fx", shape, points[faces]), np.array([t, r, s]))).sum()
     return total
 
 

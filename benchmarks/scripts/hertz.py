@@ -2,14 +2,15 @@
 
     hertz.py RESULTS.vtkhdf [--within 0.03]
 
-Prints contact force, peak pressure and contact radius with their errors. With `--within`, the exit status is 1 when
-peak pressure or radius deviate by more than that share, or the contact force by more than 1e-6.
+Prints contact force, peak pressure and contact radius with their errors, and the L2 error of the pressure. With
+`--within`, the exit status is 1 when peak pressure or radius deviate by more than that share, or the contact force by
+more than 1e-6.
 """
 
 import argparse
 
 import numpy as np
-from frame import Frame, area
+from frame import Frame, integral
 
 # A quarter is modelled: two planes of symmetry.
 PARTS = 4.0
@@ -43,14 +44,26 @@ def contact_radius(distance, pressure):
     return radius
 
 
+def pressure_error(frame, radius, peak):
+    """L2 error of the pressure, linear between the corners of faces, over the L2 norm of Hertz's, √(π/2) p0 a."""
+    faces = frame.outer_faces(np.isfinite(frame.fields["CPRESS"]))
+    corners = frame.fields["CPRESS"][faces[:, :3]]
+
+    def squared(position, shares):
+        inside = np.maximum(1.0 - (position[:, 0] ** 2 + position[:, 1] ** 2) / radius**2, 0.0)
+        return (corners @ shares - peak * np.sqrt(inside)) ** 2
+
+    return np.sqrt(PARTS * integral(frame.points, faces, squared) / (np.pi / 2.0)) / (peak * radius)
+
+
 def evaluate(path, ball):
-    """(Hertz, measured) by quantity."""
+    """Number of nodes, (Hertz, computed) by quantity, L2 error of the pressure."""
     frame = Frame(path)
     points, pressure = frame.points, frame.field("CPRESS")
     across = np.hypot(points[:, 0], points[:, 1])
     secondary = np.isfinite(frame.fields["CPRESS"])
     at_top = np.abs(points[:, 2] - ball.radius) < 1e-9 * ball.radius
-    force = PARTS * ball.pressure * area(points, frame.outer_faces(at_top))
+    force = PARTS * ball.pressure * integral(points, frame.outer_faces(at_top), lambda *_: 1.0)
     carried = PARTS * frame.field("CNORMF")[secondary, 2].sum()
     radius, peak = hertz(force, ball)
     # Pressures are unknowns of corner nodes; those between are interpolated.
@@ -58,12 +71,13 @@ def evaluate(path, ball):
     distance, pressure = across[near], pressure[near]
     fitted = contact_radius(distance, pressure)
     within = distance < fitted
-    return len(points), {
+    table = {
         "contact force": (force, carried),
         "peak pressure, fit": (peak, squared_fit(distance[within], pressure[within])[0]),
         "peak pressure, node": (peak, pressure.max()),
         "contact radius": (radius, fitted),
     }
+    return len(points), table, pressure_error(frame, radius, peak)
 
 
 def parser():
@@ -80,7 +94,7 @@ def parser():
 
 def main():
     given = parser().parse_args()
-    nodes, table = evaluate(given.results, given)
+    nodes, table, spread = evaluate(given.results, given)
     print(f"{given.results}: {nodes} nodes")
     print(f"{'':22}{'Hertz':>14}{'computed':>14}{'error':>12}")
     worst = False
@@ -89,6 +103,7 @@ def main():
         allowed = FORCE_WITHIN if name == "contact force" else given.within
         worst |= given.within is not None and abs(error) > allowed
         print(f"{name:22}{theory:14.6g}{computed:14.6g}{error:12.2e}")
+    print(f"{'pressure, L2':50}{spread:12.2e}")
     raise SystemExit(1 if worst else 0)
 
 

@@ -1,7 +1,7 @@
 """Runs the ball on the block (apps/fe/examples/hertz_sphere) on a sequence of meshes and prints the errors against
 Hertz as a table.
 
-    hertz_study.py --fe target/release/fe --folder STUDY [--edges 4 6 8 11]
+    hertz_study.py --fe target/release/fe --folder STUDY [--edges 4 5.66 8 11.3]
 
 `--edges` counts the element edges along the contact radius; the meshes are made with gmsh (`pip install gmsh`).
 Meshes, decks and results stay in the folder. Without `--fe`, only meshes and decks are made.
@@ -10,6 +10,7 @@ Meshes, decks and results stay in the folder. Without `--fe`, only meshes and de
 import argparse
 import pathlib
 import re
+import resource
 import subprocess
 import time
 
@@ -34,36 +35,40 @@ def make_deck(mesh, path):
 
 
 def run(program, deck):
-    """Runs a deck: iterations of all increments, and wall-clock time [s] of the whole process."""
-    start = time.perf_counter()
+    """Runs a deck: unknowns, iterations of all increments, and the process's seconds by the clock and of the CPU."""
+    start, before = time.perf_counter(), resource.getrusage(resource.RUSAGE_CHILDREN)
     command = [program, "run", deck.name]
     ran = subprocess.run(command, cwd=deck.parent, check=True, stdout=subprocess.PIPE, text=True)
-    return iterations(ran.stdout), time.perf_counter() - start
+    clock, after = time.perf_counter() - start, resource.getrusage(resource.RUSAGE_CHILDREN)
+    cpu = after.ru_utime - before.ru_utime + after.ru_stime - before.ru_stime
+    unknowns, iterations = (int(re.search(rf"(\d+) {word}", ran.stdout).group(1)) for word in ("unknowns", "iterations"))
+    return [unknowns, iterations, f"{clock:.1f}", f"{cpu:.1f}"]
 
 
-def iterations(printed):
-    """Sum over the increment table: its columns 4 and 5 count iterations with and without changes of status."""
-    lines = [line.split() for line in printed.splitlines() if re.match(r"\s*\d+\s+\d+\s+\d+\s+\d+\s+\d+\s", line)]
-    return sum(int(line[3]) + int(line[4]) for line in lines)
+COLUMNS = "a/h, nodes, contact force, peak pressure (fit), peak pressure (node), contact radius, pressure (L2)".split(", ")
+COLUMNS += ["unknowns", "iterations", "seconds", "CPU seconds"]
 
 
-def row(edges, work, results):
-    """One line of the table."""
-    nodes, table = hertz.evaluate(str(results), hertz.parser().parse_args([str(results)]))
+def row(edges, results):
+    """Errors of one run, for the first columns of the table."""
+    nodes, table, spread = hertz.evaluate(str(results), hertz.parser().parse_args([str(results)]))
     force, *errors = [computed / theory - 1.0 for theory, computed in table.values()]
-    percent = " | ".join(f"{100 * error:+.2f} %" for error in errors)
-    return f"| {edges} | {nodes} | {force:+.0e} | {percent} | {work[0]} | {work[1]:.1f} |"
+    return [edges, nodes, f"{force:+.0e}"] + [f"{100 * error:+.2f} %" for error in errors] + [f"{100 * spread:.1f} %"]
+
+
+def line(entries):
+    """A line of a table in Markdown."""
+    return "| " + " | ".join(str(entry) for entry in entries) + " |"
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--fe", type=pathlib.Path, help="the program fe")
     parser.add_argument("--folder", type=pathlib.Path, required=True, help="where meshes, decks and results go")
-    parser.add_argument("--edges", type=float, nargs="+", default=[4, 6, 8, 11], help="edges along the contact radius")
+    parser.add_argument("--edges", type=float, nargs="+", default=[4, 5.66, 8, 11.3], help="edges along the contact radius")
     given = parser.parse_args()
     given.folder.mkdir(parents=True, exist_ok=True)
-    print("| a/h | nodes | contact force | peak pressure, fit | peak pressure, node | contact radius | iterations | seconds |")
-    print("|---|---|---|---|---|---|---|---|")
+    print(line(COLUMNS), line(["---"] * len(COLUMNS)), sep="\n")
     for edges in given.edges:
         deck = given.folder / f"hertz_{edges:g}.inp"
         mesh = deck.with_suffix(".msh")
@@ -71,7 +76,7 @@ def main():
         make_deck(mesh, deck)
         if given.fe:
             work = run(given.fe.resolve(), deck)
-            print(row(f"{edges:g}", work, deck.with_suffix(".vtkhdf")), flush=True)
+            print(line(row(f"{edges:g}", deck.with_suffix(".vtkhdf")) + work), flush=True)
 
 
 if __name__ == "__main__":
