@@ -45,7 +45,7 @@ def run(program, deck):
     return [unknowns, iterations, f"{clock:.1f}", f"{cpu:.1f}"]
 
 
-COLUMNS = "a/h, nodes, contact force, peak pressure (fit), peak pressure (node), contact radius, pressure (L2)".split(", ")
+COLUMNS = ["a/h", "nodes", "contact force", "p₀, fit", "p₀, node", "a, fit", "a, moment", "pressure, L2"]
 COLUMNS += ["unknowns", "iterations", "seconds", "CPU seconds"]
 
 
