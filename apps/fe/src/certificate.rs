@@ -32,6 +32,8 @@ pub struct Certificate {
     pub imbalance: f64,
     /// Energies [F L].
     pub energy: Energy,
+    /// Resultant of each pair on its secondary side [F]; not among [`COLUMNS`], every pair has a history of its own.
+    pub resultants: Vec<[f64; 3]>,
 }
 
 /// Names and dimensions of the numbers that [`Certificate::row`] gives.
@@ -88,6 +90,7 @@ impl Certificate {
             reaction,
             imbalance: ratio(sums.fold(0.0, f64::max), largest),
             energy: at.energy,
+            resultants: pairs.iter().map(|p| p.secondary.force).collect(),
         }
     }
 
@@ -180,6 +183,9 @@ impl fmt::Display for RunCertificate {
         }
         writeln!(out, "  applied forces      {}", three(w.applied))?;
         writeln!(out, "  reactions           {}", three(w.reaction))?;
+        for resultant in &w.resultants {
+            writeln!(out, "  contact resultant   {}", three(*resultant))?;
+        }
         writeln!(out, "  balance             {} of the forces", e(w.imbalance, 2))?;
         let (solids, contact, work) = (e(w.energy.solids, 6), e(w.energy.contact, 6), e(w.energy.work, 6));
         writeln!(out, "  energy              solids {solids}, contact {contact}, work of loads {work}")?;

@@ -190,15 +190,15 @@ impl StepRun<'_> {
             let state = (at.u.as_slice(), external.as_slice());
             match approach(&terms.structure, &terms.freedoms, found, &body.motions, &terms.pairs, state) {
                 Approach::None => {}
-                Approach::Moved { field, translation: [x, y, z] } => {
+                Approach::Moved { field, translation } => {
+                    let [x, y, z] = without_round_off(translation);
                     at.u.iter_mut().zip(&field).for_each(|(u, d)| *u += d);
                     self.observer.event(Event::Note(&format!(
                         "{name} is held by contact alone (free {motions}): moved by ({x:.6e}, {y:.6e}, {z:.6e}) into first contact, without strain"
                     )));
                 }
                 Approach::Lost { direction } => {
-                    // Round-off prints as nothing.
-                    let [x, y, z] = direction.map(|d| if d.abs() < 5e-4 { 0.0 } else { d });
+                    let [x, y, z] = without_round_off(direction);
                     let reason = format!(
                         "{name} is free {motions}; its load drives it along ({x:.3}, {y:.3}, {z:.3}), where no surface of a pair stops it"
                     );
@@ -270,6 +270,12 @@ fn help(reject: &Reject) -> String {
         Reject::NotFinite { .. } => "look for extreme numbers in materials, loads and coordinates",
     }
     .into()
+}
+
+/// A vector for a message: parts that are round-off of the whole print as 0.
+fn without_round_off(v: [f64; 3]) -> [f64; 3] {
+    let size = norm(v);
+    v.map(|x| if x.abs() < 1e-9 * size { 0.0 } else { x })
 }
 
 fn norm(v: [f64; 3]) -> f64 {
