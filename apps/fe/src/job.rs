@@ -3,6 +3,7 @@
 use crate::approach::{Approach, FreeBody, approach, free_bodies, in_words};
 use crate::certificate::{Certificate, RunCertificate};
 use crate::course::Course;
+use crate::number::scientific;
 use crate::observer::{Event, Observer};
 use crate::plan::Plan;
 use crate::recorder::{Increment, Recorder};
@@ -76,47 +77,60 @@ pub fn run_model(model: &Model, job: &Path, read: f64, observer: &mut dyn Observ
         ..Converged::default()
     };
     recorder.start(&terms, &at)?;
-    let mut course = Course::new(model);
     let mut certificate = RunCertificate::default();
-    for (index, step) in model.steps.iter().enumerate() {
-        let mut run = StepRun { model, terms: &terms, step, number: index + 1, observer, recorder: &mut recorder };
-        at = run.run(&mut course, at, &mut certificate)?;
-    }
+    let ended = steps(model, &terms, &mut at, &mut certificate, (&mut *observer, &mut recorder));
     certificate.seconds.read = read;
     certificate.seconds.search = terms.search_seconds;
     certificate.seconds.write = recorder.seconds();
     certificate.seconds.total = read + start.elapsed().as_secs_f64();
     certificate.peak_memory = fe_io::memory::peak();
     let results = recorder.path();
-    recorder.finish(&certificate, at.total_time, "completed")?;
+    recorder.finish(&certificate, at.total_time, if ended.is_ok() { "completed" } else { "failed" })?;
+    ended?;
     observer.event(Event::Done(&certificate));
     Ok(Report { certificate, last: at, results })
 }
 
+/// All steps, one after the other; `at` is the last converged state, also where a step fails.
+fn steps(
+    model: &Model,
+    terms: &Terms,
+    at: &mut Converged,
+    certificate: &mut RunCertificate,
+    (observer, recorder): (&mut dyn Observer, &mut Recorder),
+) -> Result<(), JobFailure> {
+    let mut course = Course::new(model);
+    for (index, step) in model.steps.iter().enumerate() {
+        let number = index + 1;
+        StepRun { model, terms, step, number, observer, recorder }.run(&mut course, at, certificate)?;
+    }
+    Ok(())
+}
+
 /// One step of a job.
-struct StepRun<'a> {
+struct StepRun<'a, 'o> {
     model: &'a Model,
     terms: &'a Terms,
     step: &'a Step,
     number: usize,
-    observer: &'a mut dyn Observer,
-    recorder: &'a mut Recorder,
+    observer: &'o mut dyn Observer,
+    recorder: &'o mut Recorder,
 }
 
-impl StepRun<'_> {
+impl StepRun<'_, '_> {
     fn run(
         &mut self,
         course: &mut Course,
-        mut at: Converged,
+        at: &mut Converged,
         certificate: &mut RunCertificate,
-    ) -> Result<Converged, JobFailure> {
-        let scene = enter(self.model, self.terms, self.number - 1, course, &at)?;
+    ) -> Result<(), JobFailure> {
+        let scene = enter(self.model, self.terms, self.number - 1, course, at)?;
         let fixed: Vec<bool> = scene.free().iter().map(|f| !f).collect();
         let prescribed = scene.prescribed.len();
         let free =
             free_bodies(&self.terms.structure, &self.terms.freedoms, &self.terms.bodies, &fixed, &self.terms.pairs);
         at.step_time = 0.0;
-        self.bring_into_contact(&free, &scene, &mut at)?;
+        self.bring_into_contact(&free, &scene, at)?;
         let solver = Box::new(Multifrontal::default());
         let mut procedure = StaticGeneral::new(scene, self.step.controls, solver)
             .map_err(|reject| self.failure(0.0, explain(&reject, self.terms), help(&reject)))?;
@@ -124,10 +138,10 @@ impl StepRun<'_> {
         let period = self.step.increments.period;
         self.observer.event(Event::Step { number: self.number, plan: &plan, period });
         let mut size = IncrementSize::new(self.step.increments, self.step.controls);
-        let ended = self.increments(&mut size, &mut procedure, &mut at, &fixed, certificate);
+        let ended = self.increments(&mut size, &mut procedure, at, &fixed, certificate);
         certificate.seconds.procedure += procedure.seconds();
         certificate.factorisations += procedure.factorisations();
-        ended.map(|()| at)
+        ended
     }
 
     fn increments(
@@ -193,8 +207,9 @@ impl StepRun<'_> {
                 Approach::Moved { field, translation } => {
                     let [x, y, z] = without_round_off(translation);
                     at.u.iter_mut().zip(&field).for_each(|(u, d)| *u += d);
+                    let [x, y, z] = [x, y, z].map(|v| scientific(v, 6));
                     self.observer.event(Event::Note(&format!(
-                        "{name} is held by contact alone (free {motions}): moved by ({x:.6e}, {y:.6e}, {z:.6e}) into first contact, without strain"
+                        "{name} is held by contact alone (free {motions}): moved by ({x}, {y}, {z}) into first contact, without strain"
                     )));
                 }
                 Approach::Lost { direction } => {

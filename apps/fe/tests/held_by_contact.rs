@@ -41,7 +41,7 @@ fn a_pressed_cube_closes_its_clearance_without_strain() {
     let run = scratch.fe(&["run", "cubes.inp"]);
     assert_eq!(run.status, 0, "{}", run.error);
     let note = run.output.lines().find(|l| l.contains("held by contact alone")).expect("the body is told about");
-    assert!(note.contains("body UPPER") && note.contains("along z") && note.contains("-1.000000e-3"), "{note}");
+    assert!(note.contains("body UPPER") && note.contains("along z") && note.contains("-1.000000e-03"), "{note}");
     let results = Results::open(&scratch.path("cubes.vtkhdf"));
     let top = results.point_at([1.0, 1.0, 2.001]);
     let expected = -(1e-3 + 10.0 / 2000.0 + 2.0 * 10.0 / 1000.0);
