@@ -12,7 +12,7 @@ pub struct Console {
     period: f64,
 }
 
-const HEAD: &str = " step incr att status equil    step time    increment   residual  overclosure  contact force";
+const HEAD: &str = " step incr att status equil    step time    increment   residual  overclosure |contact force|";
 
 impl Console {
     /// On standard output, with a progress bar where that is a terminal; or silent.
