@@ -6,7 +6,7 @@ use crate::course::Course;
 use crate::number::scientific;
 use crate::observer::{Event, Observer};
 use crate::plan::Plan;
-use crate::recorder::{Increment, Recorder};
+use crate::recorder::{self, Increment, Recorder};
 use crate::terms::Terms;
 use fe_core::increment::{Failure, IncrementSize};
 use fe_core::linear::multifrontal::Multifrontal;
@@ -59,8 +59,24 @@ pub fn run(deck: &Path, library: &Library, observer: &mut dyn Observer) -> Resul
     let start = Instant::now();
     let cards = Deck::read(deck).map_err(|faults| JobFailure::Deck(faults.to_string()))?;
     let model = resolve(&cards, library).map_err(|faults| JobFailure::Deck(faults.to_string()))?;
+    spare_sources(deck, &cards)?;
     let read = start.elapsed().as_secs_f64();
     run_model(&model, deck, read, observer)
+}
+
+/// Results never replace a file that the deck is made of.
+fn spare_sources(job: &Path, cards: &Deck) -> Result<(), JobFailure> {
+    let there = |path: &Path| path.canonicalize().ok();
+    for results in [recorder::fields_path(job), recorder::tables_path(job)] {
+        let same = |name: &str| there(Path::new(name)).is_some_and(|source| there(&results).as_ref() == Some(&source));
+        if let Some(source) = cards.sources.iter().find(|source| same(&source.name)) {
+            let name = &source.name;
+            return Err(JobFailure::Deck(format!(
+                "error: `{name}` is part of the deck, and results of this job would replace it\nhelp: give the file another ending, say .inp"
+            )));
+        }
+    }
+    Ok(())
 }
 
 /// Runs a model; results are named after `job`, with other endings. `read` are the seconds spent on reading.

@@ -31,6 +31,16 @@ pub struct Increment<'a> {
     pub fixed: &'a [bool],
 }
 
+/// The results file of a job.
+pub fn fields_path(job: &Path) -> PathBuf {
+    job.with_extension("vtkhdf")
+}
+
+/// The printed tables of a job.
+pub fn tables_path(job: &Path) -> PathBuf {
+    job.with_extension("dat")
+}
+
 /// The files of a job, and what goes into them.
 pub struct Recorder {
     file: ResultsFile,
@@ -76,8 +86,8 @@ impl Recorder {
         let name = job.file_stem().map(|stem| stem.to_string_lossy().into_owned()).unwrap_or_default();
         let info = JobInfo { job: &name, heading: &model.heading, version: env!("CARGO_PKG_VERSION") };
         let fields = chosen_fields(model, terms);
-        let file = ResultsFile::create(&job.with_extension("vtkhdf"), info, &grid, &fields, &histories(terms))?;
-        let printed = Printed::create(&job.with_extension("dat"))?;
+        let file = ResultsFile::create(&fields_path(job), info, &grid, &fields, &histories(terms))?;
+        let printed = Printed::create(&tables_path(job))?;
         Ok(Recorder { file, printed, seconds: start.elapsed().as_secs_f64() })
     }
 

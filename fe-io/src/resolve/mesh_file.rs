@@ -10,26 +10,33 @@ use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::keyword::check::Entry;
 use crate::keyword::row::Row;
 use fe_core::element::ElementType;
-use fe_mesh::gmsh::{self, GmshMesh, Kept, Note};
+use fe_mesh::gmsh::{self, GmshError, GmshMesh, Kept, Note};
 use fe_mesh::{CellId, Face, Mesh};
 
 /// Reads a mesh file into the scene.
 pub fn read(entry: &Entry<'_>, scene: &mut Scene<'_>, diagnostics: &mut Diagnostics) {
     let Some(input) = entry.value("INPUT") else { return };
     let path = scene.deck.folders[input.span.source as usize].join(&input.text);
-    let file = match bytes_of(&path) {
-        Ok(bytes) => gmsh::parse(&bytes).map_err(|why| why.to_string()),
-        Err(why) => Err(why),
-    };
-    let file = match file {
-        Ok(file) => file,
+    let bytes = match bytes_of(&path) {
+        Ok(bytes) => bytes,
         Err(why) => {
-            let title = format!("the mesh `{}` cannot be read", input.text);
-            diagnostics.push(Diagnostic::error(input.span, title).help(why));
+            let title = format!("the mesh `{}` cannot be read: {why}", input.text);
+            diagnostics.push(Diagnostic::error(input.span, title));
             scene.unread = true;
             return;
         }
     };
+    let file = match gmsh::parse(&bytes) {
+        Ok(file) => file,
+        Err(GmshError { what, place, allowed }) => {
+            let fault = Diagnostic::error(input.span, format!("the mesh `{}`, {place}: {what}", input.text));
+            let allowed = allowed.map(|allowed| format!("allowed: {allowed}"));
+            diagnostics.push(allowed.into_iter().fold(fault, Diagnostic::help));
+            scene.unread = true;
+            return;
+        }
+    };
+    drop(bytes);
     let types = element_types(entry, &file, scene, diagnostics);
     let groups: Vec<usize> = types.iter().map(|(group, ..)| *group).collect();
     let names: Vec<(String, ElementType, Span)> =

@@ -119,7 +119,7 @@ fn bodies(entries: &[Entry<'_>], scene: &mut Scene<'_>, diagnostics: &mut Diagno
     }
     sets::sort(scene);
     if scene.cells.is_empty() && diagnostics.faults() == 0 {
-        let fault = Diagnostic { primary: None, ..Diagnostic::error(START, "the deck has no elements") };
+        let fault = Diagnostic::error(START, "the deck has no elements");
         diagnostics.push(fault.help("write `*ELEMENT`, or read a mesh by `*MESH`"));
     }
     quality::spaces(scene, diagnostics);
@@ -132,7 +132,9 @@ fn bodies(entries: &[Entry<'_>], scene: &mut Scene<'_>, diagnostics: &mut Diagno
     materials::sections(&named(entries, &["SOLID SECTION"]), &materials, scene, diagnostics);
 }
 
+/// Places of what a deck lacks.
 const START: Span = Span { source: 0, start: 0, end: 0 };
+const END: Span = Span { source: 0, start: u32::MAX, end: u32::MAX };
 
 fn steps(entries: &[Entry<'_>], names: &Named<'_>, scene: &mut Scene<'_>, diagnostics: &mut Diagnostics) -> Vec<Step> {
     let mut in_force = InForce::default();
@@ -142,7 +144,7 @@ fn steps(entries: &[Entry<'_>], names: &Named<'_>, scene: &mut Scene<'_>, diagno
         steps.extend(steps::read(step, names, &mut in_force, scene, diagnostics));
     }
     if of_steps.is_empty() {
-        let fault = Diagnostic { primary: None, ..Diagnostic::error(START, "the deck has no step") };
+        let fault = Diagnostic::error(END, "the deck has no step");
         diagnostics.push(fault.help("write `*STEP`, `*STATIC`, loads and requests, `*END STEP`"));
     }
     steps

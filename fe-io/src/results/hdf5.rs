@@ -151,15 +151,13 @@ impl ResultsFile {
     }
 
     fn take_its_name(&mut self) -> Result<(), ResultsError> {
-        match self.unfinished.take() {
-            Some(unfinished) => {
-                for _ in 0..SETTLING_SESSIONS {
-                    RustHdf5::open(&unfinished)?.close(false)?;
-                }
-                std::fs::rename(&unfinished, &self.path).map_err(|e| ResultsError::file(&self.path, e))
-            }
-            None => Ok(()),
+        let Some(unfinished) = &self.unfinished else { return Ok(()) };
+        for _ in 0..SETTLING_SESSIONS {
+            RustHdf5::open(unfinished)?.close(false)?;
         }
+        std::fs::rename(unfinished, &self.path).map_err(|e| ResultsError::file(&self.path, e))?;
+        self.unfinished = None;
+        Ok(())
     }
 
     fn rows(&self, location: Location) -> usize {
@@ -205,6 +203,16 @@ impl ResultsFile {
         padded_values.extend_from_slice(values);
         padded_values.resize(padded, f64::NAN);
         file.append(&path, Numbers::Real(&padded_values))
+    }
+}
+
+/// What has no frame yet is of no use to anyone.
+impl Drop for ResultsFile {
+    fn drop(&mut self) {
+        if let Some(unfinished) = &self.unfinished {
+            // Where it cannot be removed it stays, under a name that tells.
+            let _ = std::fs::remove_file(unfinished);
+        }
     }
 }
 

@@ -29,14 +29,18 @@ pub enum Place {
     },
 }
 
+impl fmt::Display for Place {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        match self {
+            Place::Line(line) => write!(f, "line {line}"),
+            Place::Byte { offset, section, line } => write!(f, "byte {offset}, in ${section} (from line {line})"),
+        }
+    }
+}
+
 impl fmt::Display for GmshError {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        match &self.place {
-            Place::Line(line) => write!(f, "line {line}: {}", self.what)?,
-            Place::Byte { offset, section, line } => {
-                write!(f, "byte {offset}, in ${section} (from line {line}): {}", self.what)?;
-            }
-        }
+        write!(f, "{}: {}", self.place, self.what)?;
         match &self.allowed {
             Some(allowed) => write!(f, "; allowed: {allowed}"),
             None => Ok(()),

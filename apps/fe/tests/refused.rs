@@ -1,0 +1,156 @@
+//! What the program refuses: status 1, a message with file and line, no panic, and no results left behind.
+#![allow(clippy::unwrap_used)]
+
+mod common;
+
+use common::{Run, Scratch};
+use std::path::Path;
+
+/// Names of the files in a folder that a job leaves or builds.
+fn results_in(folder: &Path) -> Vec<String> {
+    let names = std::fs::read_dir(folder).unwrap().map(|e| e.unwrap().file_name().into_string().unwrap());
+    names.filter(|n| n.contains(".vtkhdf") || n.ends_with(".dat")).collect()
+}
+
+/// What is wrong with a refusal that should hold `words`.
+fn objection(run: &Run, words: &[&str], scratch: &Scratch) -> Option<String> {
+    let missing = words.iter().find(|w| !run.error.contains(**w));
+    let left = results_in(&scratch.path(""));
+    let sound = run.status == 1 && missing.is_none() && !run.error.contains("panicked") && left.is_empty();
+    (!sound).then(|| format!("status {}, without {missing:?}, left {left:?}: {}", run.status, run.error))
+}
+
+/// Every deck that the reader refuses is refused by `fe run` and by `fe check`, with its own name and a line.
+#[test]
+fn faulty_decks() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../fe-io/tests/bad");
+    let scratch = Scratch::new("refused_decks");
+    let mut names: Vec<String> = Vec::new();
+    for entry in std::fs::read_dir(folder).unwrap() {
+        let path = entry.unwrap().path();
+        let name = path.file_name().unwrap().to_str().unwrap().to_owned();
+        if name.ends_with(".inp") {
+            std::fs::copy(&path, scratch.path(&name)).unwrap();
+            names.push(name);
+        }
+    }
+    assert!(names.len() >= 50, "{}", names.len());
+    let mut objections = Vec::new();
+    for name in &names {
+        for command in ["run", "check"] {
+            let run = scratch.fe(&[command, name]);
+            objections.extend(objection(&run, &["error: ", "the deck has"], &scratch).map(|o| format!("{name}: {o}")));
+            // `file:line:column` stands under each message.
+            let place = format!("{name}:");
+            let line = run.error.split(&place).skip(1).find_map(|rest| rest.split(':').next()?.parse::<u32>().ok());
+            if line.is_none() {
+                objections.push(format!("{command} {name}: no line: {}", run.error));
+            }
+        }
+    }
+    assert!(objections.is_empty(), "{objections:#?}");
+}
+
+/// A deck that ends like the results keeps its text.
+#[test]
+fn results_never_replace_the_deck() {
+    let scratch = Scratch::with_decks("refused_replacing");
+    let deck = scratch.read("patch_c3d8.inp");
+    scratch.write("whole.dat", &deck);
+    scratch.write("half.dat", &deck);
+    scratch.write("half.inp", "*INCLUDE, INPUT=half.dat\n");
+    for (name, lost) in [("whole.dat", "whole.dat"), ("half.inp", "half.dat")] {
+        let run = scratch.fe(&["run", name]);
+        assert_eq!(run.status, 1);
+        let words = format!("`{lost}` is part of the deck");
+        assert!(run.error.contains(&words), "{}", run.error);
+        assert_eq!(scratch.read(lost), deck);
+    }
+}
+
+/// Files that cannot be read or written: what cannot, and why.
+#[test]
+fn files_that_cannot_be_used() {
+    let scratch = Scratch::new("refused_files");
+    scratch.write("deck.inp", &std::fs::read_to_string(patch()).unwrap());
+    std::fs::create_dir(scratch.path("folder")).unwrap();
+    let words = |run: Run, words: &[&str]| {
+        let found = words.iter().all(|w| run.error.contains(w)) && !run.error.contains("panicked");
+        assert!(run.status == 1 && found, "{words:?}: {}", run.error);
+    };
+    words(scratch.fe(&["run", "none.inp"]), &["`none.inp` cannot be read: there is no such file"]);
+    words(scratch.fe(&["check", "none.inp"]), &["`none.inp` cannot be read: there is no such file"]);
+    words(scratch.fe(&["run", "folder"]), &["`folder` cannot be read: it is no file"]);
+    words(scratch.fe(&["run", "folder/none.inp"]), &["`folder/none.inp` cannot be read"]);
+    // A folder in the place of a file refuses every user, the system's own included.
+    for name in ["deck.dat", "deck.vtkhdf.unfinished", "deck.vtkhdf"] {
+        std::fs::create_dir(scratch.path(name)).unwrap();
+        words(scratch.fe(&["run", "deck.inp", "--quiet"]), &[name]);
+        std::fs::remove_dir(scratch.path(name)).unwrap();
+        let left = results_in(&scratch.path("")).into_iter().find(|n| n != "deck.dat");
+        assert_eq!(left, None, "after {name}");
+    }
+    assert_eq!(scratch.fe(&["run", "deck.inp", "--quiet"]).status, 0);
+}
+
+fn patch() -> std::path::PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/decks/patch_c3d8.inp")
+}
+
+/// A folder that the user may not write into. Where the system lets this user write everywhere, nothing is shown.
+#[cfg(unix)]
+#[test]
+fn a_folder_without_write_permission() {
+    use std::os::unix::fs::PermissionsExt;
+    let scratch = Scratch::new("refused_folder");
+    let folder = scratch.path("shut");
+    std::fs::create_dir(&folder).unwrap();
+    std::fs::copy(patch(), folder.join("deck.inp")).unwrap();
+    std::fs::set_permissions(&folder, std::fs::Permissions::from_mode(0o555)).unwrap();
+    let writes_everywhere = std::fs::write(folder.join("probe"), "").is_ok();
+    let run = scratch.fe(&["run", "shut/deck.inp"]);
+    std::fs::set_permissions(&folder, std::fs::Permissions::from_mode(0o755)).unwrap();
+    if !writes_everywhere {
+        assert_eq!(run.status, 1);
+        assert!(run.error.contains("deck.vtkhdf") && !run.error.contains("panicked"), "{}", run.error);
+        assert!(results_in(&folder).is_empty());
+    }
+}
+
+/// Status and words of wrong and right uses of the command line.
+#[test]
+fn command_line() {
+    let scratch = Scratch::new("refused_usage");
+    let refused: &[(&[&str], &str)] = &[
+        (&[], "Usage: fe"),
+        (&["run"], "<DECK>"),
+        (&["check"], "<DECK>"),
+        (&["solve", "x.inp"], "solve"),
+        (&["run", "x.inp", "y.inp"], "y.inp"),
+        (&["run", "x.inp", "--fast"], "--fast"),
+        (&["run", "x.inp", "--threads", "0"], "at least one thread"),
+        (&["run", "x.inp", "--threads", "many"], "many"),
+        (&["run", "x.inp", "--threads=-1"], "-1"),
+        (&["--log", "loud", "keywords"], "loud"),
+        (&["keywords", "BOUNDRY"], "did you mean *BOUNDARY?"),
+    ];
+    for (arguments, words) in refused {
+        let run = scratch.fe(arguments);
+        assert!(run.status == 1 && run.error.contains(words), "{arguments:?}: {}", run.error);
+        assert!(run.output.is_empty(), "{arguments:?}: {}", run.output);
+    }
+    let version = concat!("fe ", env!("CARGO_PKG_VERSION"));
+    let fine: &[(&[&str], &str)] = &[
+        (&["--help"], "keyword deck"),
+        (&["help"], "keyword deck"),
+        (&["run", "--help"], "--quiet"),
+        (&["check", "--help"], "<DECK>"),
+        (&["--version"], version),
+        (&["keywords"], "*CONTACT PAIR"),
+    ];
+    for (arguments, words) in fine {
+        let run = scratch.fe(arguments);
+        assert!(run.status == 0 && run.output.contains(words), "{arguments:?}: {}{}", run.output, run.error);
+        assert!(run.error.is_empty(), "{arguments:?}: {}", run.error);
+    }
+}
