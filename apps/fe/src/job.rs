@@ -101,8 +101,10 @@ pub fn run_model(model: &Model, job: &Path, read: f64, observer: &mut dyn Observ
     certificate.seconds.total = read + start.elapsed().as_secs_f64();
     certificate.peak_memory = fe_io::memory::peak();
     let results = recorder.path();
-    recorder.finish(&certificate, at.total_time, if ended.is_ok() { "completed" } else { "failed" })?;
+    let closed = recorder.finish(&certificate, at.total_time, if ended.is_ok() { "completed" } else { "failed" });
+    // Where the results could not be written, the first reason tells more than that the file is shut.
     ended?;
+    closed?;
     observer.event(Event::Done(&certificate));
     Ok(Report { certificate, last: at, results })
 }
