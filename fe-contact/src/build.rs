@@ -18,7 +18,7 @@ use crate::surface::{Main, Secondary};
 use crate::surface_to_surface::{self, Constraints, RigidSide};
 use fe_core::{Freedoms, Structure};
 use std::collections::BTreeMap;
-use std::sync::Arc;
+use std::sync::{Arc, Mutex};
 
 impl Pair {
     /// Finds the points of a definition.
@@ -58,6 +58,7 @@ impl Pair {
             name: format!("{} on {}", definition.secondary_name, definition.main_name),
             surfaces: (definition.secondary_name.clone(), definition.main_name.clone()),
             places: points.iter().map(|p| p.nodes.iter().map(place).collect()).collect(),
+            blocks: Mutex::default(),
             law,
             touch: TOUCH * model_size(structure),
             summary: Summary {

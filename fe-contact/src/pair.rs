@@ -6,9 +6,10 @@ use crate::point::ContactPoint;
 use crate::sides::Prepared;
 use crate::summary::Summary;
 use crate::surface::{Main, Secondary};
+use crate::term::Blocks;
 use std::collections::BTreeMap;
 use std::ops::Range;
-use std::sync::Arc;
+use std::sync::{Arc, Mutex};
 
 /// How the constraint is spread over the secondary surface.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -57,6 +58,8 @@ pub struct Pair {
     pub points: Vec<ContactPoint>,
     /// Freedoms of each point's nodes.
     pub(crate) places: Vec<Vec<Range<usize>>>,
+    /// Where the points stand in the matrices of a step.
+    pub(crate) blocks: Mutex<Option<Arc<Blocks>>>,
     pub(crate) law: Arc<dyn NormalLaw>,
     /// Gaps [L] this near to the law's kink touch.
     pub(crate) touch: f64,

@@ -3,11 +3,37 @@
 use crate::law::NormalResponse;
 use crate::pair::Pair;
 use crate::point::{ContactPoint, ContactStatus};
-use fe_core::{Assembly, Couplings, Motion, Reject, Term};
+use fe_core::{Assembly, BlockMatrix, Couplings, Motion, Pattern, Reject, Term};
+use std::sync::Arc;
 
 /// History of an open point, and of a closed one.
 const OPEN: f64 = 0.0;
 const CLOSED: f64 = 1.0;
+
+/// Where the points stand in matrices of one pattern.
+#[derive(Debug)]
+pub(crate) struct Blocks {
+    pattern: Arc<Pattern>,
+    /// For each point where the values of its blocks (i, j ≤ i) start, i outer.
+    starts: Vec<Vec<usize>>,
+}
+
+impl Blocks {
+    fn new(pattern: &Arc<Pattern>, points: &[ContactPoint]) -> Self {
+        let start = |i: u32, j: u32| {
+            // A node without freedoms has no block, and nothing to put into it.
+            let empty =
+                pattern.freedoms.of_node(i as usize).is_empty() || pattern.freedoms.of_node(j as usize).is_empty();
+            let block = || pattern.block(i, j).expect("the nodes of a point are coupled");
+            if empty { 0 } else { pattern.value_start[block()] }
+        };
+        let lower = |nodes: &[u32]| {
+            let each = nodes.iter().enumerate().flat_map(|(a, &i)| nodes[..=a].iter().map(move |&j| start(i, j)));
+            each.collect()
+        };
+        Blocks { pattern: pattern.clone(), starts: points.iter().map(|p| lower(&p.nodes)).collect() }
+    }
+}
 
 impl Pair {
     /// Gap [L] of a point at a displacement.
@@ -34,20 +60,29 @@ impl Pair {
         (answer, if closed { ContactStatus::Closed } else { ContactStatus::Open })
     }
 
-    fn add_stiffness(&self, point: usize, factor: f64, out: &mut fe_core::BlockMatrix) {
-        let ContactPoint { nodes, row, .. } = &self.points[point];
-        let mut block = Vec::new();
-        let mut start_i = 0;
-        for (i, place) in nodes.iter().zip(&self.places[point]) {
-            let di = &row[start_i..start_i + place.len()];
-            start_i += place.len();
-            let mut start_j = 0;
-            for (j, place) in nodes.iter().zip(&self.places[point]).take_while(|(j, _)| *j <= i) {
-                let dj = &row[start_j..start_j + place.len()];
-                start_j += place.len();
-                block.clear();
-                block.extend(di.iter().flat_map(|a| dj.iter().map(move |b| factor * a * b)));
-                out.add_block(*i, *j, &block);
+    fn blocks(&self, pattern: &Arc<Pattern>) -> Arc<Blocks> {
+        let mut kept = self.blocks.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
+        match &*kept {
+            Some(blocks) if Arc::ptr_eq(&blocks.pattern, pattern) => blocks.clone(),
+            _ => kept.insert(Arc::new(Blocks::new(pattern, &self.points))).clone(),
+        }
+    }
+
+    /// Adds factor · d dᵀ, the lower blocks; nodes are ascending.
+    fn add_stiffness(&self, point: usize, factor: f64, blocks: &Blocks, out: &mut BlockMatrix) {
+        let row = &self.points[point].row;
+        let mut starts = blocks.starts[point].iter();
+        let mut first = 0;
+        for (a, place) in self.places[point].iter().enumerate() {
+            let rows = &row[first..first + place.len()];
+            first += place.len();
+            let mut columns = row.as_slice();
+            for (other, &start) in self.places[point][..=a].iter().zip(starts.by_ref()) {
+                let (of_node, rest) = columns.split_at(other.len());
+                columns = rest;
+                let values = out.values[start..].iter_mut();
+                let products = rows.iter().flat_map(|r| of_node.iter().map(move |c| factor * r * c));
+                values.zip(products).for_each(|(value, product)| *value += product);
             }
         }
     }
@@ -67,6 +102,7 @@ impl Term for Pair {
     }
 
     fn evaluate(&self, at: Motion, _old: &[f64], new: &mut [f64], out: &mut Assembly) -> Result<(), Reject> {
+        let blocks = out.stiffness.as_deref().map(|k| self.blocks(&k.pattern));
         for (i, p) in self.points.iter().enumerate() {
             let gap = self.opening(i, at.u);
             if !gap.is_finite() {
@@ -84,9 +120,9 @@ impl Term for Pair {
                 p.row.iter().zip(freedoms).for_each(|(d, f)| out.residual[f] -= force * d);
             }
             if answer.stiffness != 0.0
-                && let Some(stiffness) = out.stiffness.as_deref_mut()
+                && let (Some(blocks), Some(stiffness)) = (&blocks, out.stiffness.as_deref_mut())
             {
-                self.add_stiffness(i, answer.stiffness * measure, stiffness);
+                self.add_stiffness(i, answer.stiffness * measure, blocks, stiffness);
             }
         }
         Ok(())

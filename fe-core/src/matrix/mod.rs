@@ -52,6 +52,20 @@ impl BlockMatrix {
 
     /// `y += K x`.
     pub fn multiply_add(&self, x: &[f64], y: &mut [f64]) {
+        self.accumulate(x, y, |v| v);
+    }
+
+    /// Σⱼ |Kᵢⱼ||xⱼ| for every i: what rounding errors of K x are measured by.
+    pub fn absolute_product(&self, x: &[f64]) -> Vec<f64> {
+        let x: Vec<f64> = x.iter().map(|v| v.abs()).collect();
+        let mut y = vec![0.0; x.len()];
+        self.accumulate(&x, &mut y, f64::abs);
+        y
+    }
+
+    /// `y += f(K) x`, f entry by entry.
+    #[inline(always)]
+    fn accumulate(&self, x: &[f64], y: &mut [f64], f: impl Fn(f64) -> f64) {
         let p = &*self.pattern;
         for i in 0..p.nodes() {
             let rows = p.freedoms.of_node(i);
@@ -63,6 +77,7 @@ impl BlockMatrix {
                     let xr = x[r];
                     let mut sum = 0.0;
                     for (c, v) in columns.clone().zip(values) {
+                        let v = f(*v);
                         sum += v * x[c];
                         if j != i {
                             y[c] += v * xr;
@@ -114,5 +129,7 @@ mod tests {
         let mut y = vec![0.0; 6];
         k.multiply_add(&[1.0, 0.0, 0.0, 0.0, 1.0, 0.0], &mut y);
         assert_eq!(y, [6.0, 8.0, 0.0, 2.0, 6.0, 10.0]);
+        let flipped = BlockMatrix { pattern: k.pattern.clone(), values: k.values.iter().map(|v| -v).collect() };
+        assert_eq!(flipped.absolute_product(&[-1.0, 0.0, 0.0, 0.0, 1.0, 0.0]), y);
     }
 }

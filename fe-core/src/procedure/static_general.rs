@@ -5,7 +5,6 @@ use super::system::{Evaluation, Scene, System, dot};
 use super::{Converged, Convergence, Energy, Procedure, Seconds};
 use crate::increment::Attempt;
 use crate::linear::{Cost, LinearSolver};
-use crate::matrix::BlockMatrix;
 use crate::reject::Reject;
 use crate::step::Controls;
 use crate::term::Motion;
@@ -23,13 +22,21 @@ const OVERSHOOT: f64 = 0.5;
 /// Most evaluations of one line search.
 const SEARCHES: usize = 6;
 
+/// What the factor was made of.
+enum Factored {
+    Nothing,
+    /// The stiffness of the linear terms.
+    Linear,
+    /// A tangent with these values.
+    Tangent(Vec<f64>),
+}
+
 /// Static equilibrium over the increments of one step.
 pub struct StaticGeneral<'a> {
     system: System<'a>,
     controls: Controls,
     solver: Box<dyn LinearSolver + 'a>,
-    /// Values that the factor was made of.
-    factored: Vec<f64>,
+    factored: Factored,
     factorisations: usize,
     mean_forces: (f64, usize),
     seconds: Seconds,
@@ -47,7 +54,7 @@ impl<'a> StaticGeneral<'a> {
             solver.analyse(&linear.pattern, &system.scene.free());
             seconds.order = start.elapsed().as_secs_f64();
         }
-        let (factored, mean_forces) = (Vec::new(), (0.0, 0));
+        let (factored, mean_forces) = (Factored::Nothing, (0.0, 0));
         Ok(StaticGeneral { system, controls, solver, factored, factorisations: 0, mean_forces, seconds })
     }
 
@@ -70,34 +77,42 @@ impl<'a> StaticGeneral<'a> {
         evaluation
     }
 
-    /// Solves K δ = −r on the free freedoms; the prescribed ones move by `given`.
-    fn correction(&mut self, evaluation: &Evaluation, given: &[f64]) -> Result<Vec<f64>, Reject> {
+    /// Solves K δ = −r on the free freedoms; the prescribed ones move by `given`. Returns δ and the slope δ·r of the
+    /// potential along it: 0 where a prescribed motion is carried, which is taken whole.
+    fn correction(&mut self, evaluation: Evaluation, given: &[f64]) -> Result<(Vec<f64>, f64), Reject> {
         let mut delta = given.to_vec();
         let Some(tangent) = evaluation.tangent.as_ref().or(self.system.linear.as_ref()) else {
-            return Ok(delta);
+            return Ok((delta, 0.0));
         };
         let start = Instant::now();
-        if self.factored != tangent.values {
-            self.factored.clear();
+        let current = match (&self.factored, &evaluation.tangent) {
+            (Factored::Linear, None) => true,
+            (Factored::Tangent(values), Some(tangent)) => *values == tangent.values,
+            _ => false,
+        };
+        if !current {
+            self.factored = Factored::Nothing;
             let freedoms = &self.system.scene.freedoms;
             self.solver.factor(tangent).map_err(|singular| Reject::Singular {
                 node: freedoms.node(singular.freedom),
                 component: freedoms.component(singular.freedom),
             })?;
-            self.factored.extend_from_slice(&tangent.values);
             self.factorisations += 1;
         }
         self.seconds.factor += start.elapsed().as_secs_f64();
         let start = Instant::now();
         let mut right = vec![0.0; delta.len()];
-        if given.iter().any(|&g| g != 0.0) {
+        let carries = given.iter().any(|&g| g != 0.0);
+        if carries {
             tangent.multiply_add(given, &mut right);
         }
         right.iter_mut().zip(&evaluation.residual).for_each(|(b, r)| *b = -*b - r);
         self.solver.solve(&mut right);
         delta.iter_mut().zip(&right).for_each(|(d, x)| *d += x);
+        self.factored = evaluation.tangent.map_or(Factored::Linear, |tangent| Factored::Tangent(tangent.values));
         self.seconds.solve += start.elapsed().as_secs_f64();
-        Ok(delta)
+        let slope = if carries { 0.0 } else { dot(&delta, &evaluation.residual) };
+        Ok((delta, slope))
     }
 
     /// Goes along `delta`: all of it, unless the residual along it changes sign by too much. The potential of a
@@ -135,7 +150,8 @@ impl<'a> StaticGeneral<'a> {
         unreachable!("the search ends after {SEARCHES} evaluations")
     }
 
-    fn iterate(&self, step: &Increment, u: &[f64], correction: f64, now: &Evaluation) -> Iterate {
+    /// What an iteration left that moved by `length` · `delta` to `u`.
+    fn iterate(&self, step: &Increment, u: &[f64], (length, delta): (f64, &[f64]), now: &Evaluation) -> Iterate {
         let mut forces = ForceScale::default();
         let mut residual: f64 = 0.0;
         for (f, r) in now.residual.iter().enumerate() {
@@ -144,12 +160,15 @@ impl<'a> StaticGeneral<'a> {
             forces.add(step.external[f].abs().max(now.nonlinear[f].abs()).max(reaction));
         }
         let tangent = now.tangent.as_ref().or(self.system.linear.as_ref());
-        let round_off = tangent.map_or(0.0, |k| ROUND_OFF * largest_product(k, u));
+        // Where a large displacement is taken back, the rounding of the correction stays.
+        let moved: Vec<f64> = u.iter().zip(delta).map(|(u, d)| u.abs().max((length * d).abs())).collect();
+        let products = tangent.map(|k| k.absolute_product(&moved));
+        let round_off = ROUND_OFF * products.into_iter().flatten().fold(0.0, f64::max);
         Iterate {
             residual,
             largest_force: forces.largest,
             mean_force: forces.mean(),
-            correction,
+            correction: delta.iter().fold(0.0, |m: f64, d| m.max((length * d).abs())),
             increment: u.iter().zip(&step.from.u).fold(0.0, |m, (a, b)| (a - b).abs().max(m)),
             status_changes: now.status_changes,
             round_off,
@@ -197,15 +216,6 @@ impl ForceScale {
     }
 }
 
-/// maxᵢ Σⱼ |Kᵢⱼ||xⱼ|.
-fn largest_product(k: &BlockMatrix, x: &[f64]) -> f64 {
-    let absolute = BlockMatrix { pattern: k.pattern.clone(), values: k.values.iter().map(|v| v.abs()).collect() };
-    let x: Vec<f64> = x.iter().map(|v| v.abs()).collect();
-    let mut y = vec![0.0; x.len()];
-    absolute.multiply_add(&x, &mut y);
-    y.into_iter().fold(0.0, f64::max)
-}
-
 impl Procedure for StaticGeneral<'_> {
     fn advance(&mut self, from: &Converged, attempt: Attempt) -> Result<(Converged, Convergence), Reject> {
         let scene = &self.system.scene;
@@ -221,15 +231,11 @@ impl Procedure for StaticGeneral<'_> {
         let mut now = self.evaluate(&step, &u, &mut new)?;
         let mut newton = Newton::new(self.controls, self.mean_forces);
         loop {
-            let delta = self.correction(&now, &given)?;
-            // The first correction carries the prescribed motion and is taken whole.
-            let prescribed = given.iter().any(|&g| g != 0.0);
-            let slope = if prescribed { 0.0 } else { dot(&delta, &now.residual) };
+            let (delta, slope) = self.correction(now, &given)?;
             given.fill(0.0);
             let length;
             (length, now) = self.search(&step, &mut u, &delta, slope, &mut new)?;
-            let correction = delta.iter().fold(0.0, |m: f64, d| m.max((length * d).abs()));
-            let iterate = self.iterate(&step, &u, correction, &now);
+            let iterate = self.iterate(&step, &u, (length, &delta), &now);
             tracing::debug!(?iterate, length, "iteration");
             if newton.judge(&iterate)? == Verdict::Converged {
                 self.mean_forces = (self.mean_forces.0 + iterate.mean_force, self.mean_forces.1 + 1);
@@ -247,11 +253,11 @@ impl Procedure for StaticGeneral<'_> {
 fn converged(step: Increment, u: Vec<f64>, history: Vec<Vec<f64>>, now: Evaluation) -> Converged {
     let from = step.from;
     let mut work = from.energy.work;
-    for f in 0..u.len() {
-        let force =
-            |external: &[f64], residual: &[f64]| if step.free[f] { external[f] } else { external[f] + residual[f] };
-        let before = if from.external.is_empty() { 0.0 } else { force(&from.external, &from.residual) };
-        work += 0.5 * (before + force(&step.external, &now.residual)) * (u[f] - from.u[f]);
+    for (f, (end, start)) in u.iter().zip(&from.u).enumerate() {
+        // A freedom that is free now may have been held before: its reaction counts until it is released.
+        let before = if from.external.is_empty() { 0.0 } else { from.external[f] + from.residual[f] };
+        let reaction = if step.free[f] { 0.0 } else { now.residual[f] };
+        work += 0.5 * (before + step.external[f] + reaction) * (end - start);
     }
     Converged {
         step_time: step.attempt.step_time,
