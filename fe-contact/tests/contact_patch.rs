@@ -2,23 +2,18 @@
 //! pressure passes unchanged, whatever the elements and the meshes.
 #![allow(clippy::unwrap_used, non_snake_case)]
 
+mod common;
+
 use fe_contact::Pair;
 use fe_contact::interaction::{Enforcement, Interaction, NormalBehavior};
 use fe_contact::pair::{Discretization, PairDefinition};
 use fe_contact::surface::{Main, Secondary};
 use fe_core::element::{ElementType, Space};
 use fe_core::external::ExternalForces;
-use fe_core::increment::Attempt;
-use fe_core::linear::multifrontal::Multifrontal;
 use fe_core::load::{LoadKind, unit_forces};
 use fe_core::material::{Elastic, Material};
-use fe_core::procedure::static_general::StaticGeneral;
-use fe_core::procedure::system::Scene;
-use fe_core::procedure::{Converged, Procedure};
 use fe_core::ramp::Ramp;
 use fe_core::solid::SolidBlock;
-use fe_core::step::Controls;
-use fe_core::term::Term;
 use fe_core::{Section, Structure};
 use fe_mesh::generate::Block;
 use fe_mesh::{CellKind, Mesh};
@@ -109,19 +104,10 @@ fn deviation(patch: &Patch) -> f64 {
             hold(*floor.iter().find(|n| on("XMIN", n)).unwrap(), 0);
         }
     }
-    prescribed.sort_by_key(|p| p.0);
-    prescribed.dedup_by_key(|p| p.0);
     let load = LoadKind::Pressure { faces: mesh.surfaces[&format!("UP_{high}")].clone() };
     let unit = unit_forces(&load, structure, &freedoms).unwrap();
     let external = ExternalForces { parts: vec![(unit, Ramp { from: 0.0, to: PRESSURE, amplitude: None })] };
-    let terms: Vec<&dyn Term> = solids.iter().map(|b| b as &dyn Term).chain([&pair as &dyn Term]).collect();
-    let history = terms.iter().map(|t| vec![0.0; t.history()]).collect();
-    let scene = Scene { freedoms: &freedoms, terms, external, prescribed, period: 1.0 };
-    let zero = vec![0.0; freedoms.len()];
-    let start = Converged { u: zero.clone(), residual: zero.clone(), external: zero, history, ..Converged::default() };
-    let mut procedure = StaticGeneral::new(scene, Controls::default(), Box::new(Multifrontal::default())).unwrap();
-    let whole = Attempt { increment: 1, attempt: 1, dt: 1.0, step_time: 1.0 };
-    let (end, _) = procedure.advance(&start, whole).unwrap();
+    let (end, _) = common::solve(&freedoms, &solids, &pair, external, prescribed);
     let mut worst: f64 = 0.0;
     for solid in &solids {
         for stress in solid.stresses(&end.u).stress {
