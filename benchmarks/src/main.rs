@@ -39,8 +39,12 @@ fn main() -> ExitCode {
 fn run_cantilever(folder: &Path) -> Result<(), Box<dyn Error>> {
     std::fs::create_dir_all(folder)?;
     let mut out = std::io::stdout().lock();
-    writeln!(out, "cantilever 10 x 1 x 1, tip deflection against Timoshenko's beam ({:.6})", cantilever::reference())?;
-    writeln!(out, "element   n  unknowns  tip error  order  assemble  factor   solve   write   total  [s]")?;
+    writeln!(
+        out,
+        "cantilever 10 x 1 x 1, tip deflection against Timoshenko's beam ({:.6}; a clamped solid tends to 0.7 % less)",
+        cantilever::reference()
+    )?;
+    writeln!(out, "element   n  unknowns  against beam  order  assemble  factor   solve   write   total  [s]")?;
     for (element, n) in CANTILEVER {
         let mesh = cantilever::mesh(element, n);
         let name = format!("cantilever_{}_{n}", element.name().to_lowercase());
@@ -54,7 +58,7 @@ fn run_cantilever(folder: &Path) -> Result<(), Box<dyn Error>> {
         let p = s.procedure;
         writeln!(
             out,
-            "{:7} {n:3} {unknowns:9} {:9.3} % {:6.2} {:9.2} {:7.2} {:7.2} {:7.2} {:7.2}",
+            "{:7} {n:3} {unknowns:9} {:12.3} % {:6.2} {:9.2} {:7.2} {:7.2} {:7.2} {:7.2}",
             element.name(),
             100.0 * error,
             p.order,
