@@ -5,6 +5,7 @@ use super::system::{Evaluation, Scene, System, dot};
 use super::{Converged, Convergence, Energy, Procedure, Seconds};
 use crate::increment::Attempt;
 use crate::linear::{Cost, LinearSolver};
+use crate::matrix::BlockMatrix;
 use crate::reject::Reject;
 use crate::step::Controls;
 use crate::term::Motion;
@@ -20,7 +21,7 @@ const ROUND_OFF: f64 = 16.0 * f64::EPSILON;
 const OVERSHOOT: f64 = 0.5;
 
 /// Most evaluations of one line search.
-const SEARCHES: usize = 6;
+const SEARCHES: usize = 16;
 
 /// What the factor was made of.
 enum Factored {
@@ -116,7 +117,8 @@ impl<'a> StaticGeneral<'a> {
     }
 
     /// Goes along `delta`: all of it, unless the residual along it changes sign by too much. The potential of a
-    /// convex problem falls along a Newton step, so its slope has one zero; regula falsi finds it. Returns the
+    /// convex problem falls along a Newton step, so its slope has one zero. Newton's method finds it, between bounds
+    /// that close in: from the stiff side, where contact has closed, it lands near the kink at once. Returns the
     /// part of `delta` taken and the evaluation there.
     fn search(
         &mut self,
@@ -127,27 +129,33 @@ impl<'a> StaticGeneral<'a> {
         new: &mut Vec<Vec<f64>>,
     ) -> Result<(f64, Evaluation), Reject> {
         let start = u.to_vec();
-        let (mut low, mut low_slope, mut length) = (0.0, slope, 1.0);
-        let (mut high, mut high_slope) = (f64::NAN, f64::NAN);
+        let (mut low, mut high, mut length) = (0.0, f64::INFINITY, 1.0);
         let enough = OVERSHOOT * slope.abs();
         for searched in 1.. {
             u.iter_mut().zip(start.iter().zip(delta)).for_each(|(a, (s, d))| *a = s + length * d);
             let mut history = new.clone();
             let now = self.evaluate(step, u, &mut history)?;
             let here = dot(delta, &now.residual);
-            let short = here < -enough && !high.is_nan();
+            let short = here < -enough && high.is_finite();
             if slope >= 0.0 || (here <= enough && !short) || searched == SEARCHES {
                 *new = history;
                 return Ok((length, now));
             }
-            if short {
-                (low, low_slope) = (length, here);
-            } else {
-                (high, high_slope) = (length, here);
-            }
-            length = low - low_slope * (high - low) / (high_slope - low_slope);
+            *(if short { &mut low } else { &mut high }) = length;
+            let curvature = self.tangent(&now).map_or(0.0, |tangent| {
+                let mut product = vec![0.0; delta.len()];
+                tangent.multiply_add(delta, &mut product);
+                dot(delta, &product)
+            });
+            let next = length - here / curvature;
+            length = if low < next && next < high { next } else { 0.5 * (low + high) };
         }
         unreachable!("the search ends after {SEARCHES} evaluations")
+    }
+
+    /// The tangent at an evaluation: its own, or that of the linear terms.
+    fn tangent<'e>(&'e self, at: &'e Evaluation) -> Option<&'e BlockMatrix> {
+        at.tangent.as_ref().or(self.system.linear.as_ref())
     }
 
     /// What an iteration left that moved by `length` · `delta` to `u`.
@@ -159,7 +167,7 @@ impl<'a> StaticGeneral<'a> {
             residual = if step.free[f] { residual.max(r.abs()) } else { residual };
             forces.add(step.external[f].abs().max(now.nonlinear[f].abs()).max(reaction));
         }
-        let tangent = now.tangent.as_ref().or(self.system.linear.as_ref());
+        let tangent = self.tangent(now);
         // Where a large displacement is taken back, the rounding of the correction stays.
         let moved: Vec<f64> = u.iter().zip(delta).map(|(u, d)| u.abs().max((length * d).abs())).collect();
         let products = tangent.map(|k| k.absolute_product(&moved));

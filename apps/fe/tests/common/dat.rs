@@ -4,7 +4,7 @@
 pub struct Block {
     /// The header up to ` for set`, ` for all` or ` and time`.
     pub title: String,
-    /// Name of the set, if any.
+    /// Name of the set, if any; `SECONDARY, MAIN` for the force of a pair.
     pub set: String,
     /// Total time.
     pub time: f64,
@@ -26,13 +26,7 @@ pub fn read(text: &str) -> Vec<Block> {
     let mut blocks: Vec<Block> = Vec::new();
     for line in text.lines().map(str::trim).filter(|l| !l.is_empty()) {
         if line.starts_with(|c: char| c.is_ascii_alphabetic()) {
-            let (head, time) = line.rsplit_once("time").unwrap_or_else(|| panic!("no time in '{line}'"));
-            let (title, set) = match head.split_once("for set ").or_else(|| head.split_once("forset ")) {
-                Some((title, rest)) => (title, rest.split_whitespace().next().unwrap()),
-                None => (head, ""),
-            };
-            let time = time.trim().parse().unwrap();
-            blocks.push(Block { title: title.trim().into(), set: set.into(), time, rows: Vec::new() });
+            blocks.push(header(line, blocks.last()));
             continue;
         }
         let words: Vec<&str> = line.split_whitespace().collect();
@@ -43,4 +37,21 @@ pub fn read(text: &str) -> Vec<Block> {
         });
     }
     blocks
+}
+
+/// A table's first line; a caption within the statistics of a pair goes on from the line before.
+fn header(line: &str, before: Option<&Block>) -> Block {
+    let block = |title: &str, set: String, time| Block { title: title.trim().into(), set, time, rows: Vec::new() };
+    let timed = line.rsplit_once("and time").and_then(|(head, time)| Some((head, time.trim().parse().ok()?)));
+    let Some((head, time)) = timed else {
+        let before = before.unwrap_or_else(|| panic!("no time in '{line}'"));
+        return block(line, before.set.clone(), before.time);
+    };
+    if let Some(pair) = head.trim().strip_prefix("statistics for slave set ") {
+        return block("statistics", pair.replace("master set ", ""), time);
+    }
+    match head.split_once("for set ").or_else(|| head.split_once("forset ")) {
+        Some((title, rest)) => block(title, rest.trim().into(), time),
+        None => block(head, String::new(), time),
+    }
 }

@@ -3,6 +3,7 @@
 
 pub mod dat;
 pub mod results;
+pub mod slider;
 
 use std::path::{Path, PathBuf};
 use std::process::Command;

@@ -1,0 +1,154 @@
+//! The slider against a rigid stop, through the program: hard contact by a penalty and a linear law, on all rigid
+//! surfaces; the reference node held, moved and loaded. Closed forms: k x + A p(x − g₀) = F.
+#![allow(clippy::unwrap_used)]
+
+mod common;
+
+use common::slider::{Body, DISTANCE, K, pair, penalty};
+use common::{Scratch, dat};
+
+/// Load towards the stop [F].
+const LOAD: f64 = 500.0;
+
+const SURFACE: &str = "SURFACE TO SURFACE";
+const NODE: &str = "NODE TO SURFACE";
+
+/// Last value of a component (from 1) of the first row of the last table of this title.
+fn last(text: &str, title: &str, set: &str, component: usize) -> f64 {
+    let blocks = dat::read(text);
+    let block = blocks.iter().rev().find(|b| b.title.starts_with(title) && b.set == set);
+    block.unwrap_or_else(|| panic!("no table {title} of {set}")).rows[0].values[component - 1]
+}
+
+fn run(name: &str, deck: &str) -> String {
+    let scratch = Scratch::new(name);
+    scratch.write("slider.inp", deck);
+    let run = scratch.fe(&["run", "slider.inp", "--quiet"]);
+    assert_eq!(run.status, 0, "{name}: {}\n{deck}", run.error);
+    scratch.read("slider.dat")
+}
+
+/// Prints ten digits.
+const PRINTED: f64 = 5e-10;
+
+fn close(what: &str, got: f64, expected: f64, tolerance: f64) {
+    assert!((got - expected).abs() <= tolerance * expected.abs(), "{what}: {got}, not {expected}");
+}
+
+/// A pressure load on the near face, pulling towards the stop.
+fn pulled(body: Body, stop: &str, contact: &str) -> String {
+    let axis = body.axis();
+    format!(
+        "{}{stop}{contact}*BOUNDARY\nHELD, 1, 3\nREF, 1, 6\n*STEP\n*STATIC\n*DSLOAD\nSEC, P, -{LOAD}\n\
+         *NODE PRINT, NSET=REF\nRF\n*NODE PRINT, NSET=NEAR\nU\n*CONTACT PRINT\nCF\n*END STEP\n** axis {axis}\n",
+        body.deck()
+    )
+}
+
+const BODIES: [(Body, bool); 4] =
+    [(Body::Brick, false), (Body::Brick, true), (Body::Plane, false), (Body::Ring, false)];
+
+/// A01: N = 400 β/(1+β) for the penalty βk, over twelve orders of magnitude, from one increment. A condition number
+/// of 1 + β adds β ε to the digits that are printed.
+#[test]
+fn a01_hard_slider_by_penalty() {
+    for (body, revolved) in BODIES {
+        for (kind, betas) in [(SURFACE, &[1e-6, 1e-3, 1.0, 1e3, 1e6][..]), (NODE, &[1.0, 1e6])] {
+            for &beta in betas {
+                let contact = penalty(beta * K) + &pair(kind);
+                let text = run("slider_penalty", &pulled(body, &body.stop(revolved), &contact));
+                let what = format!("{body:?} {revolved} {kind} {beta}");
+                let force = (LOAD - K * DISTANCE) * beta / (1.0 + beta);
+                let tolerance = PRINTED + 16.0 * beta * f64::EPSILON;
+                close(&what, last(&text, "forces", "REF", body.axis()), force, tolerance);
+                let x = -last(&text, "displacements", "NEAR", body.axis());
+                close(&what, x, DISTANCE + force / (beta * K), tolerance);
+            }
+        }
+    }
+}
+
+/// A02: LINEAR K = 4000: x = 0.18, p = 320.
+#[test]
+fn a02_linear_slider() {
+    let law = "*SURFACE INTERACTION, NAME=I\n*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=LINEAR\n4000.\n";
+    for (body, revolved) in BODIES {
+        for kind in [SURFACE, NODE] {
+            let text = run("slider_linear", &pulled(body, &body.stop(revolved), &(law.to_owned() + &pair(kind))));
+            let what = format!("{body:?} {revolved} {kind}");
+            close(&what, last(&text, "displacements", "NEAR", body.axis()), -0.18, PRINTED);
+            close(&what, last(&text, "forces", "REF", body.axis()), 320.0, PRINTED);
+        }
+    }
+}
+
+/// The clearance and the scale factor of the penalty's data line: g₀ becomes g₀ − c, β becomes f β (A01: β = 1,
+/// c = 0.05: N = 225).
+#[test]
+fn a01_clearance_and_scale() {
+    for (line, force) in [("1000., 0.05", 225.0), ("500., 0., 2.", 200.0), ("250., 0.05, 4.", 225.0)] {
+        let contact = format!("*SURFACE INTERACTION, NAME=I\n*SURFACE BEHAVIOR, PENALTY\n{line}\n{}", pair(SURFACE));
+        let text = run("slider_clearance", &pulled(Body::Brick, &Body::Brick.stop(false), &contact));
+        close(line, last(&text, "forces", "REF", 3), force, PRINTED);
+    }
+}
+
+/// A surface of nodes, with areas that add up to 1 and without: the law's number is a pressure, or a force.
+#[test]
+fn a01_node_based() {
+    for (area, beta, force) in [(", 0.25", 1.0, 200.0), ("", 0.25, 200.0), ("", 1.0, 400.0 * 4.0 / 5.0)] {
+        let nodes = format!("*SURFACE, NAME=POINTS, TYPE=NODE\nNEAR{area}\n");
+        let contact = nodes + &penalty(beta * K) + &pair(NODE).replace("SEC,", "POINTS,");
+        let text = run("slider_nodes", &pulled(Body::Brick, &Body::Brick.stop(true), &contact));
+        close(area, last(&text, "forces", "REF", 3), force, PRINTED);
+    }
+}
+
+/// The stop is moved by its reference node, over the free distance and into the column: N = k β/(1+β) (u − g₀).
+#[test]
+fn the_reference_node_moves_the_stop() {
+    for (body, revolved) in BODIES {
+        let axis = body.axis();
+        let deck = format!(
+            "{}{}{}{}*BOUNDARY\nHELD, 1, 3\nREF, 1, 6\n*STEP\n*STATIC\n0.25, 1.\n*BOUNDARY\nREF, {axis}, {axis}, 0.3\n\
+             *NODE PRINT, NSET=REF\nRF, U\n*NODE PRINT, NSET=HELD, TOTALS=ONLY\nRF\n*END STEP\n",
+            body.deck(),
+            body.stop(revolved),
+            penalty(K),
+            pair(SURFACE)
+        );
+        let text = run("slider_moved", &deck);
+        let force = 0.5 * K * (0.3 - DISTANCE);
+        close("reference", last(&text, "forces", "REF", axis), force, PRINTED);
+        close("reference", last(&text, "displacements", "REF", axis), 0.3, PRINTED);
+        close("held", last(&text, "total force", "HELD", axis), -force, PRINTED);
+        // At a quarter of the way nothing touches.
+        let early: Vec<f64> = dat::read(&text)
+            .iter()
+            .filter(|b| b.title.starts_with("forces"))
+            .map(|b| b.rows[0].values[axis - 1])
+            .collect();
+        assert_eq!(early[0], 0.0);
+    }
+}
+
+/// The stop is free along its normal and pushed by a force on its reference node: contact alone holds it, N = F, and
+/// it goes g₀ + F/k + F/βk.
+#[test]
+fn contact_holds_a_loaded_reference_node() {
+    for (body, revolved) in BODIES {
+        let axis = body.axis();
+        let others = if axis == 3 { "REF, 1, 2\nREF, 4, 6" } else { "REF, 1\nREF, 6" };
+        let deck = format!(
+            "{}{}{}{}*BOUNDARY\nHELD, 1, 3\n{others}\n*STEP\n*STATIC\n0.5, 1.\n*CLOAD\nREF, {axis}, 40.\n\
+             *NODE PRINT, NSET=REF\nRF, U\n*NODE PRINT, NSET=HELD, TOTALS=ONLY\nRF\n*END STEP\n",
+            body.deck(),
+            body.stop(revolved),
+            penalty(2.0 * K),
+            pair(SURFACE)
+        );
+        let text = run("slider_loaded", &deck);
+        close("held", last(&text, "total force", "HELD", axis), -40.0, PRINTED);
+        close("way", last(&text, "displacements", "REF", axis), DISTANCE + 40.0 / K + 40.0 / (2.0 * K), PRINTED);
+    }
+}
