@@ -69,6 +69,7 @@ impl Newton {
         if now.status_changes > 0 {
             self.status_iterations += 1;
             let most = if c.convert_sdi { c.i_s_converted } else { c.i_s };
+            // A point that flips with a pressure below round-off leaves an equilibrium as it was.
             if now.residual <= now.round_off {
                 return Ok(Verdict::Converged);
             }

@@ -131,7 +131,9 @@ impl<'a> StaticGeneral<'a> {
         let start = u.to_vec();
         let (mut low, mut high, mut length) = (0.0, f64::INFINITY, 1.0);
         let enough = OVERSHOOT * slope.abs();
-        for searched in 1.. {
+        let mut searched = 0;
+        loop {
+            searched += 1;
             u.iter_mut().zip(start.iter().zip(delta)).for_each(|(a, (s, d))| *a = s + length * d);
             let mut history = new.clone();
             let now = self.evaluate(step, u, &mut history)?;
@@ -150,7 +152,6 @@ impl<'a> StaticGeneral<'a> {
             let next = length - here / curvature;
             length = if low < next && next < high { next } else { 0.5 * (low + high) };
         }
-        unreachable!("the search ends after {SEARCHES} evaluations")
     }
 
     /// The tangent at an evaluation: its own, or that of the linear terms.
