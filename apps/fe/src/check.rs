@@ -23,7 +23,7 @@ pub fn check(deck: &Path, library: &Library) -> Result<String, JobFailure> {
     // Writing to a string does not fail.
     let _ = writeln!(text, "{nodes} nodes, {cells} elements, {bodies} bodies");
     model.notes.iter().chain(&terms.notes).for_each(|note| {
-        let _ = writeln!(text, "note: {note}");
+        let _ = writeln!(text, "{}", crate::console::remark(note));
     });
     let n = terms.freedoms.len();
     let rest = Converged { u: vec![0.0; n], residual: vec![0.0; n], external: vec![0.0; n], ..Converged::default() };

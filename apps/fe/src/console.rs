@@ -35,6 +35,12 @@ impl Console {
     }
 }
 
+/// A remark as it is printed; those on a line of the deck say themselves whether they warn.
+pub fn remark(note: &str) -> String {
+    let placed = [": note: ", ": warning: "].iter().any(|kind| note.contains(kind));
+    if placed { note.into() } else { format!("note: {note}") }
+}
+
 fn write_line(text: &str) {
     // A run goes on where its output is closed.
     let _ = writeln!(std::io::stdout().lock(), "{text}");
@@ -46,7 +52,7 @@ impl Observer for Console {
             return;
         }
         match event {
-            Event::Note(note) => self.line(&format!("note: {note}")),
+            Event::Note(note) => self.line(&remark(note)),
             Event::Step { number, plan, period } => {
                 self.line(&format!("\nstep {number}, time {period}: {}", plan.headline()));
                 self.line(HEAD);
