@@ -143,19 +143,19 @@ macro_rules! with_kernel {
         use $crate::solid::kernel::Element;
         let (element, elastic, thickness) = ($block.element, &$block.elastic, $block.thickness);
         match element {
-            C3D4 => with_kernel!(@ 4, 4, 3, 3, 1, 0; element, elastic, thickness, $kernel => $body),
-            C3D10 => with_kernel!(@ 10, 10, 3, 3, 4, 0; element, elastic, thickness, $kernel => $body),
-            C3D8 => with_kernel!(@ 8, 11, 3, 3, 8, 13; element, elastic, thickness, $kernel => $body),
-            CPE3 | CPS3 => with_kernel!(@ 3, 3, 2, 2, 1, 0; element, elastic, thickness, $kernel => $body),
-            CPE4 => with_kernel!(@ 4, 6, 2, 2, 4, 5; element, elastic, thickness, $kernel => $body),
-            CPS4 => with_kernel!(@ 4, 6, 2, 2, 4, 4; element, elastic, thickness, $kernel => $body),
-            CAX3 => with_kernel!(@ 3, 3, 2, 3, 3, 0; element, elastic, thickness, $kernel => $body),
-            CAX4 => with_kernel!(@ 4, 6, 2, 3, 4, 5; element, elastic, thickness, $kernel => $body),
+            C3D4 => with_kernel!(@ 4, 4, 4, 3, 3, 1, 0; element, elastic, thickness, $kernel => $body),
+            C3D10 => with_kernel!(@ 10, 10, 10, 3, 3, 4, 0; element, elastic, thickness, $kernel => $body),
+            C3D8 => with_kernel!(@ 8, 4, 7, 3, 3, 8, 13; element, elastic, thickness, $kernel => $body),
+            CPE3 | CPS3 => with_kernel!(@ 3, 3, 3, 2, 2, 1, 0; element, elastic, thickness, $kernel => $body),
+            CPE4 => with_kernel!(@ 4, 1, 3, 2, 2, 4, 5; element, elastic, thickness, $kernel => $body),
+            CPS4 => with_kernel!(@ 4, 1, 3, 2, 2, 4, 4; element, elastic, thickness, $kernel => $body),
+            CAX3 => with_kernel!(@ 3, 3, 3, 2, 3, 3, 0; element, elastic, thickness, $kernel => $body),
+            CAX4 => with_kernel!(@ 4, 4, 6, 2, 3, 4, 5; element, elastic, thickness, $kernel => $body),
         }
     }};
-    (@ $n:literal, $m:literal, $d:literal, $g:literal, $p:literal, $a:literal;
+    (@ $n:literal, $r:literal, $m:literal, $d:literal, $g:literal, $p:literal, $a:literal;
         $element:ident, $elastic:ident, $thickness:ident, $kernel:ident => $body:expr) => {{
-        let $kernel = Element::<$n, $m, $d, $g, $p, $a>::new($element, $elastic, $thickness);
+        let $kernel = Element::<$n, $r, $m, $d, $g, $p, $a>::new($element, $elastic, $thickness);
         $body
     }};
 }

@@ -4,8 +4,18 @@ use crate::element::ElementType::{self, *};
 use fe_mesh::quadrature::Rule;
 use fe_mesh::shape;
 
-/// Largest number of volumetric modes of an element.
-pub(super) const VOLUMETRIC: usize = 4;
+/// Number of the functions ξη, ηζ, ζξ, ξηζ; a square uses the first.
+pub(super) const PRODUCTS: usize = 4;
+
+/// ξη, ηζ, ζξ, ξηζ: the hourglass shapes, and the volumetric modes.
+fn products([x, y, z]: [f64; 3]) -> [f64; PRODUCTS] {
+    [x * y, y * z, z * x, x * y * z]
+}
+
+/// Their derivatives.
+fn product_gradients([x, y, z]: [f64; 3]) -> [[f64; 3]; PRODUCTS] {
+    [[y, x, 0.0], [0.0, z, y], [z, 0.0, x], [y * z, z * x, x * y]]
+}
 
 /// The integration points of an element type: 2 a direction on squares and cubes, 4 in the quadratic
 /// tetrahedron, 3 in the axisymmetric triangle (one alone would let it turn freely), else 1.
@@ -29,8 +39,12 @@ pub(super) struct Tables<const N: usize, const P: usize> {
     pub gradients: [[[f64; 3]; N]; P],
     /// Derivatives at the centroid.
     pub central: [[f64; 3]; N],
-    /// ξη, ηζ, ζξ, ξηζ: the volumetric modes of the cube; a square uses the first.
-    pub volumetric: [[f64; VOLUMETRIC]; P],
+    /// ξη, ηζ, ζξ, ξηζ at the points.
+    pub products: [[f64; PRODUCTS]; P],
+    /// Their derivatives there.
+    pub product_gradients: [[[f64; 3]; PRODUCTS]; P],
+    /// ξη, ηζ, ζξ, ξηζ at the nodes.
+    pub hourglass: [[f64; PRODUCTS]; N],
 }
 
 impl<const N: usize, const P: usize> Tables<N, P> {
@@ -43,7 +57,9 @@ impl<const N: usize, const P: usize> Tables<N, P> {
             values: [[0.0; N]; P],
             gradients: [[[0.0; 3]; N]; P],
             central: [[0.0; 3]; N],
-            volumetric: [[0.0; VOLUMETRIC]; P],
+            products: [[0.0; PRODUCTS]; P],
+            product_gradients: [[[0.0; 3]; PRODUCTS]; P],
+            hourglass: std::array::from_fn(|a| products(shape::nodes(kind)[a])),
         };
         shape::gradients(kind, &shape::centroid(kind), &mut tables.central);
         for (p, &(xi, weight)) in rule.points.iter().enumerate() {
@@ -51,7 +67,8 @@ impl<const N: usize, const P: usize> Tables<N, P> {
             tables.weights[p] = weight;
             shape::values(kind, &xi, &mut tables.values[p]);
             shape::gradients(kind, &xi, &mut tables.gradients[p]);
-            tables.volumetric[p] = [xi[0] * xi[1], xi[1] * xi[2], xi[2] * xi[0], xi[0] * xi[1] * xi[2]];
+            tables.products[p] = products(xi);
+            tables.product_gradients[p] = product_gradients(xi);
         }
         tables
     }

@@ -3,19 +3,19 @@
 use super::super::lanes::Lanes;
 use super::{Element, Work};
 
-impl<const N: usize, const M: usize, const D: usize, const G: usize, const P: usize, const A: usize>
-    Element<N, M, D, G, P, A>
+impl<const N: usize, const R: usize, const M: usize, const D: usize, const G: usize, const P: usize, const A: usize>
+    Element<N, R, M, D, G, P, A>
 {
-    /// Stores the block of pseudo-node `a` with node or pseudo-node `b`.
+    /// Stores the block of pseudo-node `a` with carrier or pseudo-node `b`.
     #[inline(always)]
-    pub(super) fn keep(&self, work: &mut Work<N, M, G, P, A>, a: usize, b: usize, block: &[[Lanes; D]; D]) {
-        let row = (a - N) * D;
+    pub(super) fn keep(&self, work: &mut Work<N, R, M, D, G, P, A>, a: usize, b: usize, block: &[[Lanes; D]; D]) {
+        let row = (a - R) * D;
         for i in 0..D {
             for j in 0..D {
-                if b < N {
+                if b < R {
                     work.coupling[b * D + j][row + i] = block[i][j];
                 } else {
-                    work.inner[row + i][(b - N) * D + j] = block[i][j];
+                    work.inner[row + i][(b - R) * D + j] = block[i][j];
                 }
             }
         }
@@ -23,7 +23,7 @@ impl<const N: usize, const M: usize, const D: usize, const G: usize, const P: us
 
     /// Rows of the volumetric modes: their stress is κ m 1 with κ = n λ + 2 μ, n directions of unit strain.
     #[inline(always)]
-    pub(super) fn volumetric_rows<const FUSED: bool>(&self, work: &mut Work<N, M, G, P, A>) {
+    pub(super) fn volumetric_rows<const FUSED: bool>(&self, work: &mut Work<N, R, M, D, G, P, A>) {
         let n = if G == 3 { 3.0 } else { 2.0 };
         let modulus = n * self.lambda + 2.0 * self.mu;
         for v in 0..A - Self::DIRECTIONAL {
@@ -39,10 +39,10 @@ impl<const N: usize, const M: usize, const D: usize, const G: usize, const P: us
                         let trace = if Self::AXISYMMETRIC && j == 0 { g[0] + g[2] } else { g[j] };
                         sum = sum.plus_product::<FUSED>(weighted[p], trace);
                     }
-                    if b < N {
+                    if b < R {
                         work.coupling[b * D + j][Self::DIRECTIONAL + v] = sum;
                     } else {
-                        work.inner[Self::DIRECTIONAL + v][(b - N) * D + j] = sum;
+                        work.inner[Self::DIRECTIONAL + v][(b - R) * D + j] = sum;
                     }
                 }
             }
@@ -56,22 +56,26 @@ impl<const N: usize, const M: usize, const D: usize, const G: usize, const P: us
         }
     }
 
-    /// K − Wᵀ W into `lower`; leaves L in `inner` (its diagonal inverted) and Wᵀ in `coupling`.
+    /// K − Wᵀ D⁻¹ W into `lower`; leaves L and 1/D in `inner`, and Wᵀ in `coupling`.
     #[inline(always)]
-    pub(super) fn condense<const FUSED: bool>(&self, work: &mut Work<N, M, G, P, A>, lower: &mut [Lanes]) {
-        cholesky::<FUSED, A>(&mut work.inner);
+    pub(super) fn condense<const FUSED: bool>(&self, work: &mut Work<N, R, M, D, G, P, A>, lower: &mut [Lanes]) {
+        factorize::<FUSED, A>(&mut work.inner);
         for row in &mut work.coupling {
-            for k in 0..A {
-                let mut value = row[k];
-                for l in 0..k {
-                    value = value.plus_product::<FUSED>(-work.inner[k][l], row[l]);
+            for l in 0..A {
+                let known = -row[l];
+                for k in l + 1..A {
+                    row[k] = row[k].plus_product::<FUSED>(known, work.inner[k][l]);
                 }
-                row[k] = value * work.inner[k][k];
             }
         }
         let mut places = lower.chunks_exact_mut(D * D);
-        for rows in (0..N).map(|a| &work.coupling[a * D..(a + 1) * D]) {
-            let negative: [[Lanes; A]; D] = std::array::from_fn(|i| rows[i].map(|w| -w));
+        for rows in (0..R).map(|a| &work.coupling[a * D..(a + 1) * D]) {
+            let mut negative = [[Lanes::ZERO; A]; D];
+            for i in 0..D {
+                for k in 0..A {
+                    negative[i][k] = -(rows[i][k] * work.inner[k][k]);
+                }
+            }
             for columns in work.coupling.chunks_exact(D) {
                 let place = places.next().expect("one place a lower block");
                 let mut block = [[Lanes::ZERO; D]; D];
@@ -95,17 +99,19 @@ impl<const N: usize, const M: usize, const D: usize, const G: usize, const P: us
         }
     }
 
-    /// Internal parameters that a movement of the nodes brings about: α = −L⁻ᵀ W u.
+    /// Internal parameters that movements of the carriers bring about: α = −L⁻ᵀ D⁻¹ W u.
     #[inline(always)]
-    pub(super) fn parameters<const FUSED: bool>(u: &[Lanes], work: &Work<N, M, G, P, A>) -> [Lanes; A] {
+    pub(super) fn parameters<const FUSED: bool>(u: &[[Lanes; D]; R], work: &Work<N, R, M, D, G, P, A>) -> [Lanes; A] {
         let mut alpha = [Lanes::ZERO; A];
-        for (row, &u) in work.coupling.iter().zip(u) {
+        for (row, &u) in work.coupling.iter().zip(u.as_flattened()) {
             for k in 0..A {
                 alpha[k] = alpha[k].plus_product::<FUSED>(row[k], -u);
             }
         }
-        for k in (0..A).rev() {
+        for k in 0..A {
             alpha[k] = alpha[k] * work.inner[k][k];
+        }
+        for k in (0..A).rev() {
             for l in 0..k {
                 alpha[l] = alpha[l].plus_product::<FUSED>(-work.inner[k][l], alpha[k]);
             }
@@ -114,16 +120,20 @@ impl<const N: usize, const M: usize, const D: usize, const G: usize, const P: us
     }
 }
 
-/// L of L Lᵀ in place of the lower triangle, the diagonal inverted.
+/// L of L D Lᵀ below the diagonal, 1/D on it, in place of the lower triangle.
 #[inline(always)]
-fn cholesky<const FUSED: bool, const A: usize>(matrix: &mut [[Lanes; A]; A]) {
-    for k in 0..A {
-        for i in k..A {
-            let mut value = matrix[i][k];
-            for l in 0..k {
-                value = value.plus_product::<FUSED>(-matrix[i][l], matrix[k][l]);
+fn factorize<const FUSED: bool, const A: usize>(matrix: &mut [[Lanes; A]; A]) {
+    for l in 0..A {
+        let inverse = Lanes::splat(1.0) / matrix[l][l];
+        for i in l + 1..A {
+            let factor = -(matrix[i][l] * inverse);
+            for j in l + 1..=i {
+                matrix[i][j] = matrix[i][j].plus_product::<FUSED>(factor, matrix[j][l]);
             }
-            matrix[i][k] = if i == k { Lanes::splat(1.0) / value.map(f64::sqrt) } else { value * matrix[k][k] };
         }
+        for i in l + 1..A {
+            matrix[i][l] = matrix[i][l] * inverse;
+        }
+        matrix[l][l] = inverse;
     }
 }

@@ -14,14 +14,19 @@
 //!
 //! Gradients have `G` components; an axisymmetric element keeps N_a/r, its hoop strain, in the third.
 //! `A` = (`M` − `N`) `D` + the volumetric modes is the number of internal parameters α; they are condensed:
-//! K − Wᵀ W with W = L⁻¹ K_αu, K_αα = L Lᵀ.
+//! K − Wᵀ D⁻¹ W with W = L⁻¹ K_αu, K_αα = L D Lᵀ.
+//!
+//! The stiffness is first made for `R` carriers of movement. They are the nodes, or of plane and solid quadrilaterals
+//! and hexahedra the hourglass shapes alone (ξη; ξη, ηζ, ζξ, ξηζ): constant strains do no work on what is left of
+//! these less their mean, nor on the modes, so that their part of the stiffness is V B̄ᵀ C B̄ with the mean gradients.
 
 mod condense;
 mod geometry;
+mod hourglass;
 mod strain;
 
 use super::lanes::{LANES, Lanes};
-use super::tables::{Tables, VOLUMETRIC};
+use super::tables::{PRODUCTS, Tables};
 use crate::element::{ElementType, Space};
 use crate::material::Elastic;
 use pulp::{Arch, Simd, WithSimd};
@@ -57,6 +62,7 @@ pub(super) trait Kernel: Sync {
 /// An element type with its constants.
 pub(super) struct Element<
     const N: usize,
+    const R: usize,
     const M: usize,
     const D: usize,
     const G: usize,
@@ -73,21 +79,37 @@ pub(super) struct Element<
 }
 
 /// What the element routines share about one batch.
-struct Work<const N: usize, const M: usize, const G: usize, const P: usize, const A: usize> {
-    /// Gradients of nodes and pseudo-nodes.
+struct Work<
+    const N: usize,
+    const R: usize,
+    const M: usize,
+    const D: usize,
+    const G: usize,
+    const P: usize,
+    const A: usize,
+> {
+    /// Gradients of carriers and pseudo-nodes; those of hourglass shapes less their mean.
     gradients: [[[Lanes; G]; M]; P],
     /// Volume of each point.
     weights: [Lanes; P],
     /// Volumetric modes at the points.
-    volumetric: [[Lanes; VOLUMETRIC]; P],
-    /// K_αα, lower; after condensation L, with the inverse of its diagonal.
+    volumetric: [[Lanes; PRODUCTS]; P],
+    /// K_αα, lower; after condensation L, and 1/D on the diagonal.
     inner: [[Lanes; A]; A],
-    /// K_αu transposed, `[nodes × directions][A]`; after condensation Wᵀ.
+    /// K_αu transposed, `[carriers × directions][A]`; after condensation Wᵀ.
     coupling: Vec<[Lanes; A]>,
+    /// Lower blocks of the hourglass shapes, `[R (R+1)/2 × D²]`.
+    lower: Vec<Lanes>,
+    /// γ_ka: how much of hourglass shape k is in a movement of node a.
+    hourglass: [[Lanes; R]; N],
+    /// Mean gradients of the nodes' shape functions.
+    uniform: [[Lanes; D]; N],
+    /// Volume of the element.
+    volume: Lanes,
 }
 
-impl<const N: usize, const M: usize, const D: usize, const G: usize, const P: usize, const A: usize>
-    Element<N, M, D, G, P, A>
+impl<const N: usize, const R: usize, const M: usize, const D: usize, const G: usize, const P: usize, const A: usize>
+    Element<N, R, M, D, G, P, A>
 {
     /// With the constants of a material; `thickness` is that of plane elements.
     pub fn new(element: ElementType, elastic: &Elastic, thickness: f64) -> Self {
@@ -102,28 +124,51 @@ impl<const N: usize, const M: usize, const D: usize, const G: usize, const P: us
     }
 
     const AXISYMMETRIC: bool = G > D;
-    const DIRECTIONAL: usize = (M - N) * D;
+    const DIRECTIONAL: usize = (M - R) * D;
+    const REDUCED: bool = R < N;
 
-    fn work() -> Box<Work<N, M, G, P, A>> {
+    fn work() -> Box<Work<N, R, M, D, G, P, A>> {
         Box::new(Work {
             gradients: [[[Lanes::ZERO; G]; M]; P],
             weights: [Lanes::ZERO; P],
-            volumetric: [[Lanes::ZERO; VOLUMETRIC]; P],
+            volumetric: [[Lanes::ZERO; PRODUCTS]; P],
             inner: [[Lanes::ZERO; A]; A],
-            coupling: vec![[Lanes::ZERO; A]; N * D],
+            coupling: vec![[Lanes::ZERO; A]; R * D],
+            lower: vec![Lanes::ZERO; R * (R + 1) / 2 * D * D],
+            hourglass: [[Lanes::ZERO; R]; N],
+            uniform: [[Lanes::ZERO; D]; N],
+            volume: Lanes::ZERO,
         })
     }
 
     /// Lower blocks of one batch into `lower`, `[N (N+1)/2 × D²]`, the internal parameters condensed.
     #[inline(always)]
-    fn batch_stiffness<const FUSED: bool>(&self, x: &[Lanes], work: &mut Work<N, M, G, P, A>, lower: &mut [Lanes]) {
+    fn batch_stiffness<const FUSED: bool>(
+        &self,
+        x: &[Lanes],
+        work: &mut Work<N, R, M, D, G, P, A>,
+        lower: &mut [Lanes],
+    ) {
         self.geometry::<FUSED>(x, work);
+        if Self::REDUCED {
+            let mut hourglass = std::mem::take(&mut work.lower);
+            self.carrier_stiffness::<FUSED>(work, &mut hourglass);
+            work.lower = hourglass;
+            self.expand::<FUSED>(work, lower);
+        } else {
+            self.carrier_stiffness::<FUSED>(work, lower);
+        }
+    }
+
+    /// Lower blocks of the carriers, the internal parameters condensed.
+    #[inline(always)]
+    fn carrier_stiffness<const FUSED: bool>(&self, work: &mut Work<N, R, M, D, G, P, A>, lower: &mut [Lanes]) {
         let mut places = lower.chunks_exact_mut(D * D);
         for a in 0..M {
             let weighted = Self::weighted(work, a);
             for b in 0..=a {
                 let block = self.block::<FUSED>(&weighted, work, b);
-                if a < N {
+                if a < R {
                     let place = places.next().expect("one place a lower block");
                     (0..D).for_each(|i| place[i * D..(i + 1) * D].copy_from_slice(&block[i]));
                 } else {
@@ -138,7 +183,7 @@ impl<const N: usize, const M: usize, const D: usize, const G: usize, const P: us
     }
 
     #[inline(always)]
-    fn weighted(work: &Work<N, M, G, P, A>, a: usize) -> [[Lanes; G]; P] {
+    fn weighted(work: &Work<N, R, M, D, G, P, A>, a: usize) -> [[Lanes; G]; P] {
         let mut out = [[Lanes::ZERO; G]; P];
         for p in 0..P {
             for i in 0..G {
@@ -154,7 +199,7 @@ impl<const N: usize, const M: usize, const D: usize, const G: usize, const P: us
     fn block<const FUSED: bool>(
         &self,
         weighted: &[[Lanes; G]; P],
-        work: &Work<N, M, G, P, A>,
+        work: &Work<N, R, M, D, G, P, A>,
         b: usize,
     ) -> [[Lanes; D]; D] {
         let mut t = [[Lanes::ZERO; G]; G];
@@ -166,6 +211,12 @@ impl<const N: usize, const M: usize, const D: usize, const G: usize, const P: us
                 }
             }
         }
+        self.elastic::<FUSED>(&t)
+    }
+
+    /// K_ab from T.
+    #[inline(always)]
+    fn elastic<const FUSED: bool>(&self, t: &[[Lanes; G]; G]) -> [[Lanes; D]; D] {
         let (lambda, mu) = (Lanes::splat(self.lambda), Lanes::splat(self.mu));
         let mut dot = t[0][0] + t[1][1];
         if D == 3 {
@@ -198,7 +249,15 @@ impl<const N: usize, const M: usize, const D: usize, const G: usize, const P: us
     /// Eight elements' results of `count` numbers each, from lanes to one element after the other.
     #[inline(always)]
     fn unpack(lanes: &[Lanes], out: &mut [f64], count: usize) {
-        for (element, place) in out.chunks_exact_mut(count).take(LANES).enumerate() {
+        if out.len() == LANES * count {
+            for (i, lane) in lanes[..count].iter().enumerate() {
+                for element in 0..LANES {
+                    out[element * count + i] = lane.0[element];
+                }
+            }
+            return;
+        }
+        for (element, place) in out.chunks_exact_mut(count).enumerate() {
             for (value, lane) in place.iter_mut().zip(lanes) {
                 *value = lane.0[element];
             }
@@ -234,8 +293,8 @@ struct Run<'a, K> {
     strains: bool,
 }
 
-impl<const N: usize, const M: usize, const D: usize, const G: usize, const P: usize, const A: usize> WithSimd
-    for Run<'_, Element<N, M, D, G, P, A>>
+impl<const N: usize, const R: usize, const M: usize, const D: usize, const G: usize, const P: usize, const A: usize>
+    WithSimd for Run<'_, Element<N, R, M, D, G, P, A>>
 {
     type Output = ();
 
@@ -250,8 +309,8 @@ impl<const N: usize, const M: usize, const D: usize, const G: usize, const P: us
     }
 }
 
-impl<const N: usize, const M: usize, const D: usize, const G: usize, const P: usize, const A: usize>
-    Element<N, M, D, G, P, A>
+impl<const N: usize, const R: usize, const M: usize, const D: usize, const G: usize, const P: usize, const A: usize>
+    Element<N, R, M, D, G, P, A>
 {
     #[inline(always)]
     fn run_stiffness<const FUSED: bool>(&self, batches: Batches, out: &mut [f64]) {
@@ -281,8 +340,8 @@ impl<const N: usize, const M: usize, const D: usize, const G: usize, const P: us
     }
 }
 
-impl<const N: usize, const M: usize, const D: usize, const G: usize, const P: usize, const A: usize> Kernel
-    for Element<N, M, D, G, P, A>
+impl<const N: usize, const R: usize, const M: usize, const D: usize, const G: usize, const P: usize, const A: usize>
+    Kernel for Element<N, R, M, D, G, P, A>
 {
     const NODES: usize = N;
     const DIRECTIONS: usize = D;

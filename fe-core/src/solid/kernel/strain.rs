@@ -3,18 +3,20 @@
 use super::super::lanes::Lanes;
 use super::{Element, Work};
 
-impl<const N: usize, const M: usize, const D: usize, const G: usize, const P: usize, const A: usize>
-    Element<N, M, D, G, P, A>
+impl<const N: usize, const R: usize, const M: usize, const D: usize, const G: usize, const P: usize, const A: usize>
+    Element<N, R, M, D, G, P, A>
 {
     /// Strains xx, yy, zz, xy, yz, xz (tensor shear) of one batch into `out`, `[P × 6]`; the hoop strain is zz.
     #[inline(always)]
-    pub(super) fn batch_strains<const FUSED: bool>(u: &[Lanes], work: &Work<N, M, G, P, A>, out: &mut [Lanes]) {
-        let alpha = Self::parameters::<FUSED>(u, work);
+    pub(super) fn batch_strains<const FUSED: bool>(u: &[Lanes], work: &Work<N, R, M, D, G, P, A>, out: &mut [Lanes]) {
+        let carriers = Self::carrier_movements::<FUSED>(u, work);
+        let uniform = Self::uniform_gradient::<FUSED>(u, work);
+        let alpha = Self::parameters::<FUSED>(&carriers, work);
         for (p, strain) in out.chunks_exact_mut(6).enumerate() {
-            let mut gradient = [[Lanes::ZERO; G]; D]; // ∂u_i/∂x_j
+            let mut gradient = uniform; // ∂u_i/∂x_j
             for a in 0..M {
                 for i in 0..D {
-                    let movement = if a < N { u[a * D + i] } else { alpha[(a - N) * D + i] };
+                    let movement = if a < R { carriers[a][i] } else { alpha[(a - R) * D + i] };
                     for j in 0..G {
                         gradient[i][j] = gradient[i][j].plus_product::<FUSED>(movement, work.gradients[p][a][j]);
                     }
