@@ -107,3 +107,18 @@ fn static_defaults() {
     assert_eq!(steps(", 4., , 2.\n".replace(", 4.", "1., 4.").as_str()), [1.0, 4.0, 4e-5, 2.0]);
     assert_eq!(steps("1e-6, 1., 0., 0.\n"), [1e-6, 1.0, 1e-6, 1.0]);
 }
+
+/// Requests that do less than they seem to are remarked on; `VARIABLE=` fields are added to, not replaced.
+#[test]
+fn requests_without_effect_are_told() {
+    let with = |requests: &str| model(&PLAIN.replace("*END STEP", &format!("{requests}*END STEP")));
+    let notes = |requests: &str| with(requests).notes.join("\n");
+    assert!(notes("*CONTACT PRINT\nCSTRESS\n").contains("no contact pair"), "{}", notes("*CONTACT PRINT\nCF\n"));
+    assert!(notes("*NODE PRINT, NSET=TOP, TOTALS=ONLY\nU\n").contains("`TOTALS` of this `*NODE PRINT` has no effect"));
+    assert_eq!(notes("*NODE PRINT, NSET=TOP, TOTALS=ONLY\nRF, U\n"), "");
+    let fields = |requests: &str| with(requests).steps[0].output.fields.clone().unwrap();
+    let all = fields("*OUTPUT, FIELD, VARIABLE=PRESELECT\n");
+    assert_eq!(fields("*OUTPUT, FIELD, VARIABLE=PRESELECT\n*NODE OUTPUT\nU\n"), all);
+    assert_eq!(fields("*OUTPUT, FIELD\n*NODE OUTPUT\nU\n"), ["U"]);
+    assert_eq!(fields("*OUTPUT, FIELD\n*NODE OUTPUT, VARIABLE=PRESELECT\n"), ["U", "RF"]);
+}

@@ -15,7 +15,7 @@ pub const STEP: Keyword = Keyword {
         Parameter::choice(
             "CONVERT SDI",
             &[Choice::there("YES"), Choice::there("NO")],
-            "YES (default): an iteration with a change of status may end the increment when its errors are small",
+            "YES (default): statuses may change in I_S^c iterations, NO: in I_S; an increment never ends with a change",
         ),
         Parameter::choice(
             "AMPLITUDE",

@@ -28,6 +28,8 @@ pub struct Requests {
     seen: Vec<&'static str>,
     /// True after `*OUTPUT, HISTORY`.
     history: bool,
+    /// True after `*OUTPUT, VARIABLE=`: the cards below it add to these fields.
+    preselected: bool,
 }
 
 impl Requests {
@@ -35,6 +37,7 @@ impl Requests {
     pub fn begin_step(&mut self) {
         self.seen.clear();
         self.history = false;
+        self.preselected = false;
     }
 
     /// Reads one more card.
@@ -82,17 +85,19 @@ impl Requests {
             self.chosen = false;
             self.frequency = None;
         }
-        self.common(entry);
+        self.common(entry, KINDS);
+        self.preselected = entry.has("VARIABLE");
     }
 
-    /// `FREQUENCY` and `VARIABLE`.
-    fn common(&mut self, entry: &Entry<'_>) {
+    /// `FREQUENCY` and `VARIABLE`: all fields of some kinds of cards.
+    fn common(&mut self, entry: &Entry<'_>, kinds: &[&'static str]) {
         if let Some(every) = entry.whole("FREQUENCY") {
             self.frequency = Some(if every == 0 { usize::MAX } else { every as usize });
         }
-        if entry.says("VARIABLE", "ALL") {
-            let known = |kind| known_fields(kind).iter().map(|f| (*f).to_owned()).collect();
-            self.fields = ["NODE", "ELEMENT", "CONTACT"].into_iter().map(|kind| (kind, known(kind))).collect();
+        if entry.has("VARIABLE") {
+            for &kind in kinds {
+                self.fields.insert(kind, known_fields(kind).iter().map(|f| (*f).to_owned()).collect());
+            }
             self.chosen = true;
         }
     }
@@ -106,10 +111,10 @@ impl Requests {
             "ELEMENT OUTPUT" | "EL FILE" => "ELEMENT",
             _ => "CONTACT",
         };
-        if self.first(kind) {
+        if self.first(kind) && !self.preselected {
             self.fields.remove(kind);
         }
-        self.common(entry);
+        self.common(entry, &[kind]);
         for token in scene.deck.lines(entry.card).flat_map(|line| line.tokens()).filter(|t| !t.text.is_empty()) {
             let word = normalized(token.text);
             let word = full_name(&word);
@@ -130,17 +135,14 @@ impl Requests {
         let mut tables: Vec<(usize, Table)> = self.tables.values().flatten().cloned().collect();
         tables.sort_by_key(|(turn, _)| *turn);
         let tables = tables.into_iter().map(|(_, table)| table).filter(|table| table.frequency > 0).collect();
-        let fields = self.chosen.then(|| {
-            ["NODE", "ELEMENT", "CONTACT"]
-                .into_iter()
-                .filter_map(|kind| self.fields.get(kind))
-                .flatten()
-                .cloned()
-                .collect()
-        });
+        let fields =
+            self.chosen.then(|| KINDS.iter().filter_map(|kind| self.fields.get(kind)).flatten().cloned().collect());
         Output { tables, fields, frequency: self.frequency.unwrap_or(1) }
     }
 }
+
+/// Kinds of cards that choose fields.
+const KINDS: &[&str] = &["NODE", "ELEMENT", "CONTACT"];
 
 /// Fields of the results file by the kind of card that asks for them.
 fn known_fields(kind: &str) -> &'static [&'static str] {
@@ -222,15 +224,39 @@ fn tables_of(
             diagnostics.push(unknown_key(token, word, entry, known));
             continue;
         };
-        // Only reactions have a sum that means something; contact forces are sums already.
         let totals = if quantity == Quantity::Reaction { totals } else { Totals::No };
         tables.push(Table { quantity, set: set.clone(), frequency, totals });
+    }
+    if !tables.is_empty() {
+        without_effect(entry, &tables, diagnostics);
+    }
+    if star == "CONTACT PRINT" && pairs.is_empty() && diagnostics.faults() == 0 {
+        let warning = Diagnostic::warning(entry.card.span, "the deck has no contact pair");
+        diagnostics.push(warning.label("these tables stay empty"));
     }
     if tables.is_empty() && diagnostics.faults() == 0 {
         let fault = Diagnostic::error(entry.card.span, format!("this `*{star}` asks for nothing"));
         diagnostics.push(fault.help(format!("add a line with {}", crate::diagnostic::listed(known))));
     }
     tables
+}
+
+/// Parameters that change none of the tables: only reactions have a sum that means something, contact forces are sums
+/// already, and only these are told pair by pair.
+fn without_effect(entry: &Entry<'_>, tables: &[Table], diagnostics: &mut Diagnostics) {
+    let star = entry.keyword.name;
+    let mut note = |parameter: &str, why: &str| {
+        let note = Diagnostic::note(entry.card.span, format!("`{parameter}` of this `*{star}` has no effect"));
+        diagnostics.push(note.label(why));
+    };
+    let totals = entry.has("TOTALS") && !entry.says("TOTALS", "NO");
+    if totals && !tables.iter().any(|table| table.quantity == Quantity::Reaction) {
+        note("TOTALS", if star == "NODE PRINT" { "only reactions are summed" } else { "CF is a sum already" });
+    }
+    let of_one_pair = |table: &Table| matches!(table.quantity, Quantity::ContactForce { .. });
+    if entry.has("MAIN") && !tables.iter().any(of_one_pair) {
+        note("MAIN", "CSTRESS and CDISP hold the nodes of all pairs");
+    }
 }
 
 /// Name of the set of a table; empty for contact; `None` when it is not there, which is told.

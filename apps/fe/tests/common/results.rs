@@ -30,6 +30,11 @@ impl Results {
         self.0.dataset(name).unwrap().read_array::<i64>().unwrap().into_iter().collect()
     }
 
+    /// Names of the arrays in a group.
+    pub fn names(&self, group: &str) -> Vec<String> {
+        self.0.group(group).unwrap().member_names().unwrap().1
+    }
+
     /// A point field of a frame, `[points × width]`.
     pub fn point_field(&self, name: &str, width: usize, frame: usize) -> Vec<f64> {
         let offset = self.integer(&format!("VTKHDF/Steps/PointDataOffsets/{name}"))[frame] as usize;
