@@ -156,19 +156,19 @@ impl Diagnostics {
         sorted.into_iter()
     }
 
-    /// `file:line:column: severity: title`.
+    /// `file:line:column: severity: title`; a remark goes without the word.
     pub fn line(&self, diagnostic: &Diagnostic) -> String {
         let severity = match diagnostic.severity {
-            Severity::Error => "error",
-            Severity::Warning => "warning",
-            Severity::Note => "note",
+            Severity::Error => "error: ",
+            Severity::Warning => "warning: ",
+            Severity::Note => "",
         };
         let place = diagnostic.primary.as_ref().map(|(at, _)| {
             let source = &self.sources[at.source as usize];
             format!("{}:{}:{}: ", source.name, source.line(at.start), source.column(at.start))
         });
         let said = diagnostic.primary.as_ref().map(|(_, said)| said.as_str()).filter(|said| !said.is_empty());
-        let mut line = format!("{}{severity}: {}", place.unwrap_or_default(), diagnostic.title);
+        let mut line = format!("{}{severity}{}", place.unwrap_or_default(), diagnostic.title);
         for more in said.into_iter().chain(diagnostic.help.iter().map(String::as_str)) {
             line.push_str("; ");
             line.push_str(more);

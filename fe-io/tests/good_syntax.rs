@@ -116,7 +116,7 @@ fn requests_without_effect_are_told() {
     assert!(notes("*CONTACT PRINT\nCSTRESS\n").contains("no contact pair"), "{}", notes("*CONTACT PRINT\nCF\n"));
     assert!(notes("*NODE PRINT, NSET=TOP, TOTALS=ONLY\nU\n").contains("`TOTALS` of this `*NODE PRINT` has no effect"));
     assert_eq!(notes("*NODE PRINT, NSET=TOP, TOTALS=ONLY\nRF, U\n"), "");
-    let fields = |requests: &str| with(requests).steps[0].output.fields.clone().unwrap();
+    let fields = |requests: &str| with(requests).steps[0].output.fields.clone().expect("fields are chosen");
     let all = fields("*OUTPUT, FIELD, VARIABLE=PRESELECT\n");
     assert_eq!(fields("*OUTPUT, FIELD, VARIABLE=PRESELECT\n*NODE OUTPUT\nU\n"), all);
     assert_eq!(fields("*OUTPUT, FIELD\n*NODE OUTPUT\nU\n"), ["U"]);

@@ -197,7 +197,8 @@ impl StepRun<'_, '_> {
                     self.observer.event(Event::Increment { step, attempt, convergence, certificate, contact_force });
                 }
                 Err(reason) => {
-                    self.observer.event(Event::Cutback { step: self.number, attempt, reason: &reason });
+                    let reason_in_words = &explain(&reason, self.terms);
+                    self.observer.event(Event::Cutback { step: self.number, attempt, reason: reason_in_words });
                     run.cutbacks += 1;
                     size.cut_back(attempt, reason).map_err(|failure| self.gave_up(at, &failure))?;
                 }

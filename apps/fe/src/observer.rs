@@ -4,7 +4,6 @@ use crate::certificate::{Certificate, RunCertificate};
 use crate::plan::Plan;
 use fe_core::increment::Attempt;
 use fe_core::procedure::Convergence;
-use fe_core::reject::Reject;
 
 /// Something that happened in a run.
 pub enum Event<'a> {
@@ -38,8 +37,8 @@ pub enum Event<'a> {
         step: usize,
         /// The attempt.
         attempt: Attempt,
-        /// Why.
-        reason: &'a Reject,
+        /// Why, with the labels of the deck.
+        reason: &'a str,
     },
     /// All steps are complete.
     Done(&'a RunCertificate),

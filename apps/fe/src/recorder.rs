@@ -125,8 +125,8 @@ impl Recorder {
         let recovered = recover.then(|| Recovered::at(terms, &now.at.u));
         let source = Source { terms, at: now.at, fixed: now.fixed, states: now.states, recovered: recovered.as_ref() };
         let certificate = now.certificate.row();
-        let pairs: Vec<(&str, Vec<f64>)> =
-            terms.pairs.iter().zip(now.states).map(|(pair, state)| (pair.name(), pair_row(state))).collect();
+        let pairs: Vec<(String, Vec<f64>)> =
+            history_names(terms).into_iter().zip(now.states.iter().map(pair_row)).collect();
         let mut rows = vec![HistoryRow { name: CERTIFICATE, values: &certificate }];
         rows.extend(pairs.iter().map(|(name, values)| HistoryRow { name, values }));
         if stored {
@@ -188,6 +188,18 @@ fn chosen_fields(model: &Model, terms: &Terms) -> Vec<FieldInfo> {
     FIELDS.iter().filter(|f| wanted(f) && (!contact(f) || !terms.pairs.is_empty())).copied().collect()
 }
 
+/// Names of the pairs' histories: `/` and `.` cannot stand in them, and each is there once.
+fn history_names(terms: &Terms) -> Vec<String> {
+    let mut names: Vec<String> = Vec::new();
+    for pair in &terms.pairs {
+        let plain = pair.name().replace(['/', '.'], "_");
+        let numbered = (2..).map(|n| format!("{plain} {n}"));
+        let name = std::iter::once(plain.clone()).chain(numbered).find(|name| !names.contains(name));
+        names.push(name.expect("one of endlessly many names is free"));
+    }
+    names
+}
+
 fn histories(terms: &Terms) -> Vec<HistoryInfo> {
     let own = |words: &[&str]| words.iter().map(|w| w.to_string()).collect::<Vec<_>>();
     let mut list = vec![
@@ -208,8 +220,8 @@ fn histories(terms: &Terms) -> Vec<HistoryInfo> {
             meaning: "what the whole run took".into(),
         },
     ];
-    list.extend(terms.pairs.iter().map(|pair| HistoryInfo {
-        name: pair.name().into(),
+    list.extend(history_names(terms).into_iter().map(|name| HistoryInfo {
+        name,
         columns: own(&PAIR_COLUMNS),
         units: own(&PAIR_UNITS),
         meaning: "resultant of the pair on its secondary side".into(),

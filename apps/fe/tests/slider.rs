@@ -152,3 +152,27 @@ fn contact_holds_a_loaded_reference_node() {
         close("way", last(&text, "displacements", "REF", axis), DISTANCE + 40.0 / K + 40.0 / (2.0 * K), PRINTED);
     }
 }
+
+/// Names that the results file cannot hold as they are do not stop a run.
+#[test]
+fn surfaces_with_dots_and_slashes() {
+    let body = Body::Brick;
+    let contact = (penalty(K) + &pair(SURFACE)).replace("SEC,", "\"PART-1.S/EC\",");
+    let deck = pulled(body, &body.stop(false), &contact).replace("NAME=SEC", "NAME=\"PART-1.S/EC\"");
+    let text = run("slider_names", &deck.replace("\nSEC, P", "\n\"PART-1.S/EC\", P"));
+    close("force", last(&text, "forces", "REF", 3), 200.0, PRINTED);
+}
+
+/// Messages about a run name nodes by the labels of the deck.
+#[test]
+fn a_free_node_is_named_by_its_label() {
+    let scratch = Scratch::new("slider_free");
+    let body = Body::Brick;
+    // The reference node turns freely: nothing holds its rotations but contact in one plane.
+    let deck = pulled(body, &body.stop(false), &(penalty(K) + &pair(SURFACE))).replace("REF, 1, 6", "REF, 1, 3");
+    scratch.write("slider.inp", &deck);
+    let run = scratch.fe(&["run", "slider.inp"]);
+    assert_eq!(run.status, 1);
+    let said = run.output + &run.error;
+    assert!(said.contains("node 99") && !said.contains("node 8"), "{said}");
+}

@@ -59,7 +59,7 @@ pub fn resolve(deck: &Deck, library: &Library) -> Result<Model, Diagnostics> {
     }
     let mut contact_pairs = Vec::new();
     for entry in named(&entries, &["CONTACT PAIR"]) {
-        contact_pairs.extend(pairs::read(&entry, &scene, &interactions, &mut diagnostics));
+        pairs::read(&entry, &scene, &interactions, &mut contact_pairs, &mut diagnostics);
     }
     let mut supports = Supports::default();
     for entry in entries.iter().filter(|entry| entry.step.is_none() && entry.keyword.name == "BOUNDARY") {

@@ -18,10 +18,10 @@ pub fn read(
     entry: &Entry<'_>,
     scene: &Scene<'_>,
     interactions: &Interactions,
+    pairs: &mut Vec<(PairDefinition, Place)>,
     diagnostics: &mut Diagnostics,
-) -> Vec<(PairDefinition, Place)> {
+) {
     let interaction = interaction(entry, interactions, diagnostics);
-    let mut pairs = Vec::new();
     let mut lines = scene.deck.lines(entry.card).peekable();
     if lines.peek().is_none() {
         let fault = Diagnostic::error(entry.card.span, "this card names no surfaces");
@@ -42,12 +42,17 @@ pub fn read(
         let adjust = adjust(entry, &secondary, scene, diagnostics);
         let (Some(interaction), true) = (interaction, diagnostics.faults() == before) else { continue };
         let [secondary_name, main_name] = [first, second].map(|token| normalized(token.text));
+        let twin = pairs.iter().find(|(p, _)| p.secondary_name == secondary_name && p.main_name == main_name);
+        if let Some((_, Place { file, line: number })) = twin {
+            let fault = Diagnostic::error(line.span, "these surfaces are a contact pair already");
+            diagnostics.push(fault.help(format!("the first one is at {file}:{number}; both would press")));
+            continue;
+        }
         let source = &scene.deck.sources[line.span.source as usize];
         let place = source.place(line.span.start);
         let pair = PairDefinition { secondary_name, main_name, secondary, main, interaction, discretization, adjust };
         pairs.push((pair, place));
     }
-    pairs
 }
 
 fn interaction(entry: &Entry<'_>, interactions: &Interactions, diagnostics: &mut Diagnostics) -> Option<usize> {
