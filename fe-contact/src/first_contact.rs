@@ -1,24 +1,174 @@
-//! The first contact of a body that contact alone holds: how far it moves rigidly until it is met.
+//! The first contact of bodies that contact alone holds: how far their loads move them rigidly until they are met.
+//!
+//! Rigid motions q under constant forces f, without friction: gaps are g + R q ≥ 0. Where points touch, only
+//! directions that do not close them are open; the bodies go along the one nearest to f until the next point meets,
+//! and come to rest where the pressures of touching points balance f (Farkas: f + Rᵀλ = 0, λ ≥ 0).
 
 use crate::pair::Pair;
+use nalgebra::{DMatrix, DVector};
 
-/// The largest factor t ≥ 0 so that no gap falls below the clearance at which its law starts when everything moves
-/// from the displacement `u` by t · `motion` (both over all freedoms, `motion` a rigid one of one body). Gaps are linear
-/// in t. `None`: nothing is ever met; 0: something touches or overlaps already and would be pressed.
-pub fn first_contact(pairs: &[Pair], u: &[f64], motion: &[f64]) -> Option<f64> {
-    let fastest = motion.iter().fold(0.0f64, |m, v| m.max(v.abs()));
-    let mut first: Option<f64> = None;
-    for pair in pairs {
-        let start = pair.law().reach();
-        for i in 0..pair.points.len() {
-            let rate = pair.rate(i, motion);
-            // Slower than round-off of the motion: the point slides past.
-            if rate >= -1e-10 * fastest {
-                continue;
+/// Directions, rates and forces below this, of their size, are round-off [-].
+const ROUND_OFF: f64 = 1e-10;
+
+/// Points of pairs against rigid motions.
+#[derive(Debug)]
+pub struct RigidContact {
+    /// Gap [L] of each point above where its law starts.
+    gaps: DVector<f64>,
+    /// Points with gaps up to this [L] touch.
+    touch: DVector<f64>,
+    /// How the gaps change with the motions, `[points × motions]`.
+    rates: DMatrix<f64>,
+}
+
+/// Where bodies go.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Rest {
+    /// They come to rest after so much of each motion.
+    At(Vec<f64>),
+    /// Nothing stops them in this direction.
+    Nowhere(Vec<f64>),
+}
+
+impl RigidContact {
+    /// At the displacement `u`, of motions whose fields, all over all freedoms, are made one by one.
+    pub fn new(pairs: &[Pair], u: &[f64], motions: impl ExactSizeIterator<Item = Vec<f64>>) -> Self {
+        let points = || pairs.iter().flat_map(|pair| (0..pair.points.len()).map(move |i| (pair, i)));
+        let gaps: Vec<f64> = points().map(|(pair, i)| pair.opening(i, u) - pair.law().reach()).collect();
+        let touch: Vec<f64> = points().map(|(pair, _)| pair.touch).collect();
+        let mut rates = DMatrix::zeros(gaps.len(), motions.len());
+        for (k, field) in motions.enumerate() {
+            points().enumerate().for_each(|(row, (pair, i))| rates[(row, k)] = pair.rate(i, &field));
+        }
+        RigidContact { gaps: gaps.into(), touch: touch.into(), rates }
+    }
+
+    /// An orthonormal basis of the motions that change no gap: no contact of these pairs holds them.
+    pub fn unheld(&self) -> Vec<Vec<f64>> {
+        let eigen = (self.rates.transpose() * &self.rates).symmetric_eigen();
+        let limit = ROUND_OFF * ROUND_OFF * self.gaps.len() as f64;
+        let basis =
+            eigen.eigenvalues.iter().zip(eigen.eigenvectors.column_iter()).filter(|(value, _)| **value <= limit);
+        basis.map(|(_, vector)| vector.iter().copied().collect()).collect()
+    }
+
+    /// Where `forces`, one a motion, move the bodies.
+    pub fn settle(&self, forces: &[f64]) -> Rest {
+        let forces = DVector::from_column_slice(forces);
+        let mut gaps = self.gaps.clone();
+        let mut moved = DVector::zeros(forces.len());
+        // Each leg ends at a point that was not touched; bodies that roll along many come to rest near enough.
+        for _ in 0..=self.gaps.len() {
+            let touching: Vec<usize> = (0..gaps.len()).filter(|&i| gaps[i] <= self.touch[i]).collect();
+            let direction = self.open_direction(&forces, &touching);
+            if direction.norm() <= ROUND_OFF * forces.norm() {
+                break;
             }
-            let factor = ((pair.opening(i, u) - start) / -rate).max(0.0);
-            first = Some(first.map_or(factor, |f| f.min(factor)));
+            let rates = &self.rates * &direction;
+            let closing = |i: &usize| gaps[*i] > self.touch[*i] && rates[*i] < -ROUND_OFF * direction.amax();
+            let next = (0..gaps.len()).filter(closing).map(|i| (gaps[i] / -rates[i], i));
+            let Some((length, point)) = next.min_by(|a, b| a.0.total_cmp(&b.0)) else {
+                return Rest::Nowhere(direction.iter().copied().collect());
+            };
+            moved += &direction * length;
+            gaps += rates * length;
+            gaps[point] = 0.0;
+        }
+        Rest::At(moved.iter().copied().collect())
+    }
+
+    /// The vector nearest to `forces` that closes no touching point: f + Rᵀλ with the λ ≥ 0 that make it shortest
+    /// (Lawson and Hanson, Solving Least Squares Problems, 1974, chapter 23).
+    fn open_direction(&self, forces: &DVector<f64>, touching: &[usize]) -> DVector<f64> {
+        let mut pressed: Vec<(usize, f64)> = Vec::new();
+        let mut direction = forces.clone();
+        for _ in 0..3 * (touching.len() + 1) {
+            let closing = |&i: &usize| self.rates.row(i).transpose().dot(&direction);
+            let worst = touching.iter().map(|i| (closing(i), *i)).min_by(|a, b| a.0.total_cmp(&b.0));
+            match worst {
+                Some((rate, point)) if rate < -ROUND_OFF * forces.norm() => pressed.push((point, 0.0)),
+                _ => break,
+            }
+            self.balance(forces, &mut pressed);
+            direction = forces.clone();
+            pressed.iter().for_each(|&(i, force)| direction += self.rates.row(i).transpose() * force);
+        }
+        direction
+    }
+
+    /// The forces of pressed points that leave least of `forces`; points that would pull are let go.
+    fn balance(&self, forces: &DVector<f64>, pressed: &mut Vec<(usize, f64)>) {
+        while !pressed.is_empty() {
+            let columns: Vec<_> = pressed.iter().map(|p| self.rates.row(p.0).transpose()).collect();
+            let svd = DMatrix::from_columns(&columns).svd(true, true);
+            let Ok(wanted) = svd.solve(&-forces, ROUND_OFF * svd.singular_values.max()) else { return };
+            // As far towards what is wanted as every force stays a pressure.
+            let stops = pressed
+                .iter()
+                .zip(&wanted)
+                .filter(|(_, w)| **w <= 0.0)
+                .map(|(p, w)| p.1 / (p.1 - w).max(f64::MIN_POSITIVE));
+            let share = stops.fold(1.0, f64::min);
+            pressed.iter_mut().zip(&wanted).for_each(|(p, w)| p.1 += share * (w - p.1));
+            let before = pressed.len();
+            let largest = pressed.iter().fold(0.0f64, |m, p| m.max(p.1));
+            pressed.retain(|p| p.1 > f64::EPSILON * largest);
+            if pressed.len() == before {
+                return;
+            }
         }
     }
-    first
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn contact(gaps: &[f64], rates: &[[f64; 2]]) -> RigidContact {
+        RigidContact {
+            gaps: DVector::from_column_slice(gaps),
+            touch: DVector::from_element(gaps.len(), 1e-12),
+            rates: DMatrix::from_fn(rates.len(), 2, |i, k| rates[i][k]),
+        }
+    }
+
+    fn assert_at(rest: &Rest, expected: [f64; 2]) {
+        let Rest::At(moved) = rest else { panic!("{rest:?}") };
+        // Two moves of numbers below 10.
+        assert!(moved.iter().zip(expected).all(|(m, e)| (m - e).abs() < 1e-14), "{moved:?}");
+    }
+
+    /// A bar on two points at −1 and 1, free to sink (first motion, down positive) and to turn, 0.3 above one and 0.1
+    /// above the other: with its load between them it comes to lie on both, with its load outside it tips over.
+    #[test]
+    fn a_bar_comes_to_lie_on_both_points() {
+        let bar = contact(&[0.3, 0.1], &[[-1.0, -1.0], [-1.0, 1.0]]);
+        for moment in [-0.5, 0.0, 0.5, 0.9] {
+            assert_at(&bar.settle(&[1.0, moment]), [0.2, 0.1]);
+        }
+        assert!(matches!(bar.settle(&[1.0, 1.5]), Rest::Nowhere(_)));
+        assert_eq!(bar.settle(&[-1.0, 0.0]), Rest::Nowhere(vec![-1.0, 0.0]));
+        assert_eq!(bar.settle(&[0.0, 0.0]), Rest::At(vec![0.0, 0.0]));
+    }
+
+    /// Two bodies on top of each other, both pulled down: the lower one meets the ground, the upper one the lower one.
+    #[test]
+    fn a_stack_sinks_together() {
+        let stack = contact(&[0.3, 0.2], &[[-1.0, 0.0], [1.0, -1.0]]);
+        for forces in [[1.0, 5.0], [5.0, 1.0], [1.0, 1.0], [0.0, 1.0]] {
+            assert_at(&stack.settle(&forces), [0.3, 0.5]);
+        }
+    }
+
+    /// A point in a corner of two planes, and points that all say the same.
+    #[test]
+    fn repeated_points_do_no_harm() {
+        let corner = contact(&[0.1, 0.1, 0.1, 0.4], &[[-1.0, 0.0], [-1.0, 0.0], [-1.0, 1e-17], [0.0, -1.0]]);
+        assert_at(&corner.settle(&[2.0, 1.0]), [0.1, 0.4]);
+        assert!(corner.unheld().is_empty());
+        let flat = contact(&[0.1, 0.1], &[[-1.0, 0.0], [-1.0, 1e-16]]);
+        assert_at(&flat.settle(&[2.0, 0.0]), [0.1, 0.0]);
+        assert_eq!(flat.unheld().len(), 1);
+        assert!(flat.unheld()[0][0].abs() < 1e-14);
+    }
 }

@@ -1,6 +1,7 @@
 //! Bodies that contact alone holds: recognised, told about, and brought into first contact without strain.
 
-use fe_contact::first_contact::first_contact;
+use crate::terms::Terms;
+use fe_contact::first_contact::{Rest, RigidContact};
 use fe_contact::pair::Pair;
 use fe_core::Freedoms;
 use fe_core::bodies::{Body, RigidMotion};
@@ -38,62 +39,64 @@ pub fn free_bodies(
     free
 }
 
-/// What moving a free body into first contact came to.
+/// What moving the free bodies into first contact came to; bodies are indices into the free ones.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Approach {
-    /// It touches already, or nothing loads it along its free motions.
-    None,
-    /// The displacement field of the move, over all freedoms, and the largest displacement [L] in it.
-    Moved {
-        /// Displacement of every freedom.
-        field: Vec<f64>,
-        /// Mean translation of the body [L].
-        translation: [f64; 3],
-    },
-    /// Its load drives it where no surface stops it; the direction.
-    Lost {
-        /// Unit direction of the body's centre.
-        direction: [f64; 3],
-    },
+    /// The rigid motion of each body that had to move; none where all touch, or nothing loads them.
+    Moved(Vec<(usize, RigidMotion)>),
+    /// Its load drives it where no surface stops it; the unit direction of its centre.
+    Lost(usize, [f64; 3]),
+    /// No contact can hold it in this motion.
+    Unheld(usize, RigidMotion),
 }
 
-/// Moves a free body along its free motions, the way its loads drive it, until the first constraint meets.
-pub fn approach(
-    structure: &Structure,
-    freedoms: &Freedoms,
-    body: &Body,
-    motions: &[RigidMotion],
-    pairs: &[Pair],
-    state: (&[f64], &[f64]),
-) -> Approach {
-    let (u, external) = state;
-    let mut drive = [0.0; 6];
-    let (mut loaded, mut size) = (0.0f64, 0.0f64);
-    for &n in &body.nodes {
-        freedoms.of_node(n as usize).for_each(|f| size = size.max(external[f].abs()));
+/// Moves free bodies together along their free motions, the way their loads drive them, until contact holds them.
+pub fn approach(terms: &Terms, free: &[FreeBody], u: &[f64], external: &[f64]) -> Approach {
+    let each: Vec<(usize, RigidMotion)> =
+        free.iter().enumerate().flat_map(|(b, body)| body.motions.iter().map(move |m| (b, *m))).collect();
+    let body = |b: usize| &terms.bodies[free[b].body];
+    let field = |(b, motion): &(usize, RigidMotion)| body(*b).field(&terms.structure, &terms.freedoms, motion);
+    let contact = RigidContact::new(&terms.pairs, u, each.iter().map(field));
+    // Of amounts of all motions: what each body does.
+    let by_body = |amounts: &[f64]| {
+        let mut sums = vec![[0.0; 6]; free.len()];
+        for ((b, motion), amount) in each.iter().zip(amounts) {
+            (0..6).for_each(|c| sums[*b][c] += amount * motion[c]);
+        }
+        sums
+    };
+    let size = |b: usize, m: &RigidMotion| {
+        let scaled = m.iter().enumerate().map(|(c, v)| if c < 3 { *v } else { v * body(b).size });
+        scaled.map(|v| v * v).sum::<f64>().sqrt()
+    };
+    let most = |motions: &[RigidMotion]| {
+        (0..motions.len()).max_by(|&a, &b| size(a, &motions[a]).total_cmp(&size(b, &motions[b]))).unwrap_or(0)
+    };
+    if let Some(amounts) = contact.unheld().first() {
+        let motions = by_body(amounts);
+        let b = most(&motions);
+        return Approach::Unheld(b, motions[b]);
     }
-    for motion in motions {
-        let force = dot(&body.field(structure, freedoms, motion), external);
-        loaded = loaded.max(force.abs());
-        (0..6).for_each(|c| drive[c] += force * motion[c]);
-    }
-    // A load across the free motions leaves round-off along them.
-    if loaded <= 1e-10 * size * body.nodes.len() as f64 || size == 0.0 {
-        return Approach::None;
-    }
-    let length = drive.iter().zip([1.0, 1.0, 1.0, body.size, body.size, body.size]);
-    let length = length.map(|(d, s)| (d * s) * (d * s)).sum::<f64>().sqrt();
-    drive.iter_mut().for_each(|d| *d /= length);
-    let field = body.field(structure, freedoms, &drive);
-    let direction = [drive[0], drive[1], drive[2]];
-    match first_contact(pairs, u, &field) {
-        None => Approach::Lost { direction },
-        Some(t) if t <= 0.0 => Approach::None,
-        Some(t) => {
-            let field = field.into_iter().map(|v| v * t).collect();
-            Approach::Moved { field, translation: direction.map(|d| d * t) }
+    let forces: Vec<f64> = each.iter().map(|motion| drive(body(motion.0), &field(motion), terms, external)).collect();
+    match contact.settle(&forces) {
+        Rest::At(amounts) => {
+            let moved = by_body(&amounts).into_iter().enumerate();
+            Approach::Moved(moved.filter(|(_, m)| m.iter().any(|v| *v != 0.0)).collect())
+        }
+        Rest::Nowhere(direction) => {
+            let motions = by_body(&direction);
+            let b = most(&motions);
+            let length = size(b, &motions[b]);
+            Approach::Lost(b, [0, 1, 2].map(|c| motions[b][c] / length))
         }
     }
+}
+
+/// Force of the loads along a motion; a load across it leaves round-off, which is nothing.
+fn drive(body: &Body, field: &[f64], terms: &Terms, external: &[f64]) -> f64 {
+    let loads = body.nodes.iter().flat_map(|&n| terms.freedoms.of_node(n as usize)).map(|f| external[f].abs());
+    let (size, force) = (loads.fold(0.0, f64::max), dot(field, external));
+    if force.abs() <= 1e-10 * size * body.nodes.len() as f64 { 0.0 } else { force }
 }
 
 /// A motion in words: the directions along and about which it goes.

@@ -30,6 +30,8 @@ pub struct Course {
 struct Active {
     kind: LoadKind,
     ramp: Ramp,
+    /// Magnitude at the end of the last step.
+    held: f64,
 }
 
 impl Course {
@@ -61,12 +63,12 @@ impl Course {
     /// At the end of a step: values without a course in total time stay where they are.
     fn hold(&mut self, at: &Converged) {
         let (step_time, total_time, period) = self.end;
-        let settle = |ramp: &mut Ramp| {
+        for Active { ramp, held, .. } in self.nodal.iter_mut().chain(&mut self.distributed) {
+            *held = ramp.at(step_time, total_time, period);
             if !ramp.amplitude.as_ref().is_some_and(|a| a.base == TimeBase::Total) {
-                *ramp = Ramp::constant(ramp.at(step_time, total_time, period));
+                *ramp = Ramp::constant(*held);
             }
-        };
-        self.nodal.iter_mut().chain(&mut self.distributed).for_each(|active| settle(&mut active.ramp));
+        }
         self.nodal.retain(|a| a.ramp != Ramp::constant(0.0));
         self.distributed.retain(|a| a.ramp != Ramp::constant(0.0));
         for (f, ramp) in &mut self.supports {
@@ -109,16 +111,16 @@ fn change(old: Vec<Active>, changes: &Changes<Load>, amplitudes: &[Arc<Amplitude
         let amplitude = item.amplitude.map(|a| amplitudes[a].clone());
         for (from, places) in old_magnitudes(&item.kind, &old, &changes.items[..i]) {
             let ramp = Ramp { from, to: item.magnitude, amplitude: amplitude.clone() };
-            fresh.push(Active { kind: on(&item.kind, places), ramp });
+            fresh.push(Active { kind: on(&item.kind, places), ramp, held: from });
         }
     }
     let mut kept = Vec::new();
-    for Active { kind, ramp } in old {
+    for Active { kind, ramp, held } in old {
         let named = named(&changes.items, &kind);
         let left: Vec<Place> = places(&kind).into_iter().filter(|p| !named.contains(p)).collect();
         if !left.is_empty() {
-            let fading = Ramp { from: ramp.to, to: 0.0, amplitude: None };
-            kept.push(Active { kind: on(&kind, left), ramp: if changes.replace { fading } else { ramp } });
+            let fading = Ramp { from: held, to: 0.0, amplitude: None };
+            kept.push(Active { kind: on(&kind, left), ramp: if changes.replace { fading } else { ramp }, held });
         }
     }
     kept.extend(fresh);
@@ -178,7 +180,7 @@ fn named(loads: &[Load], kind: &LoadKind) -> BTreeSet<Place> {
 fn old_magnitudes(kind: &LoadKind, old: &[Active], earlier: &[Load]) -> Vec<(f64, Vec<Place>)> {
     let mut magnitude: BTreeMap<Place, f64> = BTreeMap::new();
     for active in old.iter().filter(|a| alike(&a.kind, kind) && same_direction(&a.kind, kind)) {
-        places(&active.kind).into_iter().for_each(|p| *magnitude.entry(p).or_default() += active.ramp.to);
+        places(&active.kind).into_iter().for_each(|p| *magnitude.entry(p).or_default() += active.held);
     }
     let taken = named(earlier, kind);
     let mut groups: Vec<(f64, Vec<Place>)> = Vec::new();
@@ -215,7 +217,8 @@ mod tests {
     fn a_load_named_again_goes_from_its_old_magnitude() {
         let first = change(vec![], &Changes { replace: false, items: vec![nodal(&[1, 2], 10.0)] }, &[]);
         assert_eq!((total(&first, 1, 0.5), total(&first, 1, 1.0)), (5.0, 10.0));
-        let held = first.into_iter().map(|a| Active { ramp: Ramp::constant(a.ramp.to), ..a }).collect();
+        let held =
+            first.into_iter().map(|a| Active { ramp: Ramp::constant(a.ramp.to), held: a.ramp.to, ..a }).collect();
         let second = change(held, &Changes { replace: false, items: vec![nodal(&[2, 3], 4.0)] }, &[]);
         assert_eq!((total(&second, 1, 0.5), total(&second, 2, 0.5), total(&second, 3, 0.5)), (10.0, 7.0, 2.0));
         assert_eq!((total(&second, 1, 1.0), total(&second, 2, 1.0), total(&second, 3, 1.0)), (10.0, 4.0, 4.0));
@@ -223,15 +226,28 @@ mod tests {
 
     #[test]
     fn what_is_replaced_fades() {
-        let old = vec![Active { kind: nodal(&[1, 2], 0.0).kind, ramp: Ramp::constant(8.0) }];
+        let old = vec![Active { kind: nodal(&[1, 2], 0.0).kind, ramp: Ramp::constant(8.0), held: 8.0 }];
         let new = change(old, &Changes { replace: true, items: vec![nodal(&[2], 4.0)] }, &[]);
         assert_eq!((total(&new, 1, 0.5), total(&new, 1, 1.0)), (4.0, 0.0));
         assert_eq!((total(&new, 2, 0.5), total(&new, 2, 1.0)), (6.0, 4.0));
     }
 
+    /// An amplitude in total time has a magnitude of its own at the end of a step: what replaces the load starts there.
+    #[test]
+    fn a_load_in_total_time_fades_from_where_it_was() {
+        let points = vec![(0.0, 0.0), (4.0, 1.0)];
+        let amplitude = Some(Arc::new(Amplitude { name: "A".into(), base: TimeBase::Total, points }));
+        let ramp = Ramp { from: 0.0, to: 8.0, amplitude };
+        let active = Active { kind: nodal(&[1, 2], 0.0).kind, ramp, held: 0.0 };
+        let mut course = Course { nodal: vec![active], end: (1.0, 1.0, 1.0), ..Course::default() };
+        course.hold(&Converged::default());
+        let new = change(course.nodal, &Changes { replace: true, items: vec![nodal(&[2], 4.0)] }, &[]);
+        assert_eq!((total(&new, 1, 0.0), total(&new, 1, 0.5), total(&new, 2, 0.5)), (2.0, 1.0, 3.0));
+    }
+
     #[test]
     fn cards_of_one_step_add_up() {
-        let old = vec![Active { kind: nodal(&[1], 0.0).kind, ramp: Ramp::constant(8.0) }];
+        let old = vec![Active { kind: nodal(&[1], 0.0).kind, ramp: Ramp::constant(8.0), held: 8.0 }];
         let items = vec![nodal(&[1], 1.0), nodal(&[1], 2.0)];
         let new = change(old, &Changes { replace: false, items }, &[]);
         assert_eq!((total(&new, 1, 0.0), total(&new, 1, 1.0)), (8.0, 3.0));

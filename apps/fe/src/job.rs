@@ -8,12 +8,14 @@ use crate::observer::{Event, Observer};
 use crate::plan::Plan;
 use crate::recorder::{self, Increment, Recorder};
 use crate::terms::Terms;
+use fe_core::bodies::RigidMotion;
 use fe_core::increment::{Failure, IncrementSize};
 use fe_core::linear::multifrontal::Multifrontal;
 use fe_core::procedure::static_general::StaticGeneral;
 use fe_core::procedure::system::Scene;
 use fe_core::procedure::{Converged, Procedure};
 use fe_core::reject::Reject;
+use fe_core::step::Increments;
 use fe_io::model::Step;
 use fe_io::{Deck, Library, Model, resolve};
 use std::path::{Path, PathBuf};
@@ -208,39 +210,58 @@ impl StepRun<'_, '_> {
 
     /// Bodies held by contact alone are moved, without strain, until they touch.
     fn bring_into_contact(&mut self, free: &[FreeBody], scene: &Scene, at: &mut Converged) -> Result<(), JobFailure> {
-        let period = self.step.increments.period;
-        let external = scene.external.at(period, at.total_time + period, period, at.u.len());
         let terms = self.terms;
-        for body in free {
-            let found = &terms.bodies[body.body];
-            let name = terms.body_name(found);
-            let motions: Vec<String> = body.motions.iter().map(|m| in_words(m, found.size)).collect();
-            let motions = motions.join(", ");
-            if !body.touched {
-                let reason = format!("nothing holds {name}: it is free {motions}, and no contact pair has it");
-                return Err(self.failure(0.0, reason, "hold it by *BOUNDARY, or bring it into a *CONTACT PAIR".into()));
-            }
-            let state = (at.u.as_slice(), external.as_slice());
-            match approach(&terms.structure, &terms.freedoms, found, &body.motions, &terms.pairs, state) {
-                Approach::None => {}
-                Approach::Moved { field, translation } => {
-                    let [x, y, z] = without_round_off(translation);
+        let name = |body: &FreeBody| terms.body_name(&terms.bodies[body.body]);
+        let words = |body: &FreeBody, m: &RigidMotion| in_words(m, terms.bodies[body.body].size);
+        let free_in = |body: &FreeBody| body.motions.iter().map(|m| words(body, m)).collect::<Vec<_>>().join(", ");
+        if let Some(body) = free.iter().find(|body| !body.touched) {
+            let reason =
+                format!("nothing holds {}: it is free {}, and no contact pair has it", name(body), free_in(body));
+            return Err(self.failure(0.0, reason, "hold it by *BOUNDARY, or bring it into a *CONTACT PAIR".into()));
+        }
+        if free.is_empty() {
+            return Ok(());
+        }
+        // The loads at the end, or where an amplitude has taken them away by then, at first.
+        let Increments { period, initial, .. } = self.step.increments;
+        let loads = |time: f64| scene.external.at(time, at.total_time + time, period, at.u.len());
+        let mut external = loads(period);
+        if external.iter().all(|f| *f == 0.0) {
+            external = loads(initial);
+        }
+        match approach(terms, free, &at.u, &external) {
+            Approach::Moved(bodies) => {
+                for (b, motion) in bodies {
+                    let (body, name) = (&terms.bodies[free[b].body], name(&free[b]));
+                    let field = body.field(&terms.structure, &terms.freedoms, &motion);
                     at.u.iter_mut().zip(&field).for_each(|(u, d)| *u += d);
-                    let [x, y, z] = [x, y, z].map(|v| scientific(v, 6));
+                    let (free_in, [x, y, z, turns @ ..]) = (free_in(&free[b]), motion);
+                    let moved = [x, y, z];
+                    let [x, y, z] = without_round_off(moved).map(|v| scientific(v, 6));
+                    let turn = norm(turns);
+                    let rim = turn * body.size;
+                    let turned =
+                        if rim > 1e-9 * norm(moved) { format!(" and turned by {turn:.3e} rad") } else { "".into() };
                     self.observer.event(Event::Note(&format!(
-                        "{name} is held by contact alone (free {motions}): moved by ({x}, {y}, {z}) into first contact, without strain"
+                        "{name} is held by contact alone (free {free_in}): moved by ({x}, {y}, {z}){turned} into first contact, without strain"
                     )));
                 }
-                Approach::Lost { direction } => {
-                    let [x, y, z] = without_round_off(direction);
-                    let reason = format!(
-                        "{name} is free {motions}; its load drives it along ({x:.3}, {y:.3}, {z:.3}), where no surface of a pair stops it"
-                    );
-                    return Err(self.failure(0.0, reason, "turn the load, or hold the body by *BOUNDARY".into()));
-                }
+                Ok(())
+            }
+            Approach::Lost(b, direction) => {
+                let [x, y, z] = without_round_off(direction);
+                let (name, free_in) = (name(&free[b]), free_in(&free[b]));
+                let reason = format!(
+                    "{name} is free {free_in}; its load drives it along ({x:.3}, {y:.3}, {z:.3}), where no surface of a pair stops it"
+                );
+                Err(self.failure(0.0, reason, "turn the load, or hold the body by *BOUNDARY".into()))
+            }
+            Approach::Unheld(b, motion) => {
+                let (name, way) = (name(&free[b]), words(&free[b], &motion));
+                let reason = format!("{name} is free {way}, and the surfaces of its pairs cannot hold it that way");
+                Err(self.failure(0.0, reason, "hold it by *BOUNDARY".into()))
             }
         }
-        Ok(())
     }
 
     fn gave_up(&self, at: &Converged, failure: &Failure) -> JobFailure {

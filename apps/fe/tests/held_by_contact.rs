@@ -86,3 +86,68 @@ fn a_body_that_nothing_holds_is_named() {
     assert_eq!(check.status, 0);
     assert!(check.output.contains("held by nothing: free along z"), "{}", check.output);
 }
+
+/// More cards of a second step; what a deck says of it replaces the load of the first.
+fn second_step(deck: &str, cards: &str) -> String {
+    format!("{deck}*STEP\n*STATIC\n0.5, 1.\n{cards}*END STEP\n")
+}
+
+/// The load taken away again leaves the cube where it touched: moved by its clearance, without strain.
+#[test]
+fn a_load_taken_away_leaves_the_body_where_it_touched() {
+    let scratch = Scratch::new("held_unloaded");
+    scratch.write("cubes.inp", &second_step(&cubes(1e-3, 10.0, PAIR), "*DSLOAD, OP=NEW\n"));
+    let run = scratch.fe(&["run", "cubes.inp", "--quiet"]);
+    assert_eq!(run.status, 0, "{}", run.error);
+    let results = Results::open(&scratch.path("cubes.vtkhdf"));
+    let top = results.point_at([1.0, 1.0, 2.001]);
+    let found = results.point_field("U", 3, 3)[3 * top + 2];
+    // Round-off of the displacement under load, 0.026, at a condition number of order 10.
+    assert!((found + 1e-3).abs() < 1e-15 * 100.0, "{found}");
+}
+
+/// A later step pulls the cube off: it is named, at the step's start and where an amplitude turns in its middle.
+#[test]
+fn a_body_that_is_pulled_off_later_is_named() {
+    let scratch = Scratch::new("held_pulled_later");
+    for (name, cards, words) in [
+        ("off", "*DSLOAD, OP=NEW\nTOP, P, -1.\n", "no surface of a pair stops it"),
+        ("turning", "*DSLOAD, OP=NEW, AMPLITUDE=TURNS\nTOP, P, 1.\n", "nothing holds freedom"),
+    ] {
+        let deck = second_step(&cubes(1e-3, 10.0, PAIR), cards);
+        let deck = deck.replacen("*STEP", "*AMPLITUDE, NAME=TURNS\n0., 10., 0.5, -1., 1., 1.\n*STEP", 1);
+        scratch.write(&format!("{name}.inp"), &deck);
+        let run = scratch.fe(&["run", &format!("{name}.inp"), "--quiet"]);
+        assert_eq!(run.status, 1, "{name}");
+        for word in ["step 2", "body UPPER", words] {
+            assert!(run.error.contains(word), "{name}: {word}: {}", run.error);
+        }
+    }
+}
+
+/// Free to sink and to tilt (one side is held no more), pressed off its middle: it comes to lie on the whole face, and
+/// the law takes the moment.
+#[test]
+fn a_body_that_may_tilt_comes_to_lie() {
+    let scratch = Scratch::new("held_tilting");
+    let tilting = |support: &str, node: u32| {
+        let load = format!("*CLOAD\n{node}, 3, -1.\n");
+        cubes(1e-3, 10.0, PAIR)
+            .replace("XSYM, 1\nYSYM, 2\n", support)
+            .replace("*NODE PRINT", &format!("{load}*NODE PRINT"))
+    };
+    let tilts = "4, 1\n1, 1\n1, 2\n2, 2\n3, 2\n4, 2\n11, 1\n14, 1\n11, 2\n12, 2\n";
+    scratch.write("cubes.inp", &tilting(tilts, 16));
+    let run = scratch.fe(&["run", "cubes.inp"]);
+    assert_eq!(run.status, 0, "{}", run.error);
+    assert!(run.output.contains("about x"), "{}", run.output);
+    let results = Results::open(&scratch.path("cubes.vtkhdf"));
+    let height = |x: [f64; 3]| results.point_field("U", 3, 1)[3 * results.point_at(x) + 2];
+    // The loaded corner is pressed deeper than the one across.
+    assert!(height([1.0, 0.0, 2.001]) < height([0.0, 1.0, 2.001]));
+    // Nothing holds the upper cube along x now: contact cannot.
+    scratch.write("slides.inp", &tilting("1, 1\n4, 1\nYSYM, 2\n", 16));
+    let run = scratch.fe(&["run", "slides.inp", "--quiet"]);
+    assert_eq!(run.status, 1);
+    assert!(run.error.contains("body UPPER") && run.error.contains("cannot hold it that way"), "{}", run.error);
+}

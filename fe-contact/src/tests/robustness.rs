@@ -4,7 +4,7 @@ use super::scene::*;
 use crate::adjust::adjust;
 use crate::error::PairError;
 use crate::facet::Vec3;
-use crate::first_contact::first_contact;
+use crate::first_contact::{Rest, RigidContact};
 use crate::interaction::{Enforcement, Interaction, NormalBehavior};
 use crate::pair::{Adjust, Discretization, Pair, PairDefinition};
 use crate::surface::{Main, Secondary};
@@ -220,11 +220,14 @@ fn a_body_is_moved_until_it_is_met() {
     let rest = vec![0.0; freedoms.len()];
     for (interaction, expected) in [(linear(), 0.3), (hard(None), 0.28)] {
         let pairs = [scene.pair(&definition, &interaction)];
-        assert!((first_contact(&pairs, &rest, &motion(1, -1.0)).unwrap() - expected).abs() < 1e-14);
-        assert!(
-            (first_contact(&pairs, &motion(1, -0.2), &motion(1, -2.0)).unwrap() - 0.5 * (expected - 0.2)).abs() < 1e-14
-        );
-        assert_eq!(first_contact(&pairs, &rest, &motion(1, 1.0)), None);
-        assert_eq!(first_contact(&pairs, &rest, &motion(0, 1.0)), None);
+        let both = |u: &[f64]| RigidContact::new(&pairs, u, [motion(0, 1.0), motion(1, 1.0)].into_iter());
+        let down = |u: &[f64]| match both(u).settle(&[0.0, -3.0]) {
+            Rest::At(moved) => -moved[1],
+            Rest::Nowhere(_) => f64::NAN,
+        };
+        assert!((down(&rest) - expected).abs() < 1e-14);
+        assert!((down(&motion(1, -0.2)) - (expected - 0.2)).abs() < 1e-14);
+        assert!(matches!(both(&rest).settle(&[0.0, 1.0]), Rest::Nowhere(_)));
+        assert_eq!(both(&rest).unheld().len(), 1);
     }
 }
