@@ -6,6 +6,7 @@ use crate::course::Course;
 use crate::number::scientific;
 use crate::observer::{Event, Observer};
 use crate::plan::Plan;
+use crate::reason::{explain, help};
 use crate::recorder::{self, Increment, Recorder};
 use crate::terms::Terms;
 use fe_core::bodies::RigidMotion;
@@ -14,7 +15,6 @@ use fe_core::linear::multifrontal::Multifrontal;
 use fe_core::procedure::static_general::StaticGeneral;
 use fe_core::procedure::system::Scene;
 use fe_core::procedure::{Converged, Procedure};
-use fe_core::reject::Reject;
 use fe_core::step::Increments;
 use fe_io::model::Step;
 use fe_io::{Deck, Library, Model, resolve};
@@ -301,30 +301,6 @@ pub fn enter<'a>(
         prescribed: course.prescribed(),
         period: step.increments.period,
     })
-}
-
-/// A reason with the labels that the user knows.
-fn explain(reject: &Reject, terms: &Terms) -> String {
-    match reject {
-        Reject::Singular { node, component } => {
-            let label = terms.structure.mesh.point_labels[*node];
-            let body = terms.bodies.iter().find(|b| b.nodes.binary_search(&(*node as u32)).is_ok());
-            let body = body.map_or(String::new(), |b| format!(" ({})", terms.body_name(b)));
-            format!("nothing holds freedom {} of node {label}{body}: the stiffness is singular there", component + 1)
-        }
-        other => other.to_string(),
-    }
-}
-
-/// What usually helps.
-fn help(reject: &Reject) -> String {
-    match reject {
-        Reject::Singular { .. } => "hold the body by *BOUNDARY, or let contact hold it before it is loaded by force",
-        Reject::StatusChanges { .. } => "a smaller first increment, or a softer penalty on *SURFACE BEHAVIOR, PENALTY",
-        Reject::NoConvergence { .. } | Reject::Diverging { .. } => "a smaller first increment on *STATIC",
-        Reject::NotFinite { .. } => "look for extreme numbers in materials, loads and coordinates",
-    }
-    .into()
 }
 
 /// A vector for a message: parts that are round-off of the whole print as 0.

@@ -15,6 +15,7 @@ pub mod number;
 pub mod observer;
 pub mod plan;
 pub mod printed;
+pub mod reason;
 pub mod recorder;
 pub mod terms;
 
