@@ -103,6 +103,12 @@ impl Mesh {
             .flat_map(|(block, b)| (0..b.len()).map(move |cell| CellId { block: block as u32, cell: cell as u32 }))
     }
 
+    /// Number of the first cell of each block when all cells are counted in order, `[blocks]`.
+    pub fn first_cells(&self) -> Vec<usize> {
+        let count = |next: &mut usize, block: &CellBlock| Some(std::mem::replace(next, *next + block.len()));
+        self.blocks.iter().scan(0, count).collect()
+    }
+
     /// Number of cells.
     pub fn cell_count(&self) -> usize {
         self.blocks.iter().map(CellBlock::len).sum()

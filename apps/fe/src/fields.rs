@@ -97,8 +97,7 @@ impl Source<'_> {
     /// Mean over the integration points of each cell, in the mesh's order.
     fn cells(&self, tensor: Tensor) -> Vec<[f64; 6]> {
         let mesh = &self.terms.structure.mesh;
-        let mut first = vec![0];
-        mesh.blocks.iter().for_each(|block| first.push(first[first.len() - 1] + block.len()));
+        let first = mesh.first_cells();
         let mut out = vec![[f64::NAN; 6]; mesh.cell_count()];
         for (block, fields) in self.terms.solids.iter().zip(self.blocks()) {
             let n = block.points();

@@ -165,8 +165,7 @@ impl Recorder {
 /// Section of each cell, in the mesh's order.
 fn sections_of_cells(terms: &Terms) -> Vec<u32> {
     let mesh = &terms.structure.mesh;
-    let mut first = vec![0];
-    mesh.blocks.iter().for_each(|block| first.push(first[first.len() - 1] + block.len()));
+    let first = mesh.first_cells();
     let mut body = vec![0; mesh.cell_count()];
     for (index, section) in terms.structure.sections.iter().enumerate() {
         for cell in &section.cells {
