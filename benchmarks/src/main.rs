@@ -1,13 +1,27 @@
-//! Speed against error: problems with known answers, run through the same entry as `fe`.
+//! The program: measures problems with known answers.
 
-mod cantilever;
-
+use benchmarks::problems::cantilever;
+use clap::{Parser, Subcommand};
 use fe::observer::Silent;
 use fe_core::element::ElementType;
 use std::error::Error;
 use std::io::Write;
 use std::path::Path;
 use std::process::ExitCode;
+
+/// Speed against error: problems with known answers, run through the same entry as `fe`.
+#[derive(Parser)]
+#[command(name = "benchmarks", version, about)]
+struct Arguments {
+    #[command(subcommand)]
+    command: Command,
+}
+
+#[derive(Subcommand)]
+enum Command {
+    /// The cantilever: deflection of the tip against unknowns and seconds.
+    Cantilever,
+}
 
 /// Elements and divisions through the depth of `cantilever`: some 2,000 to 100,000 unknowns.
 const CANTILEVER: [(ElementType, usize); 6] = [
@@ -20,10 +34,8 @@ const CANTILEVER: [(ElementType, usize); 6] = [
 ];
 
 fn main() -> ExitCode {
-    let arguments: Vec<String> = std::env::args().skip(1).collect();
-    let done = match arguments.iter().map(String::as_str).collect::<Vec<_>>()[..] {
-        ["cantilever"] => run_cantilever(Path::new("target/benchmarks")),
-        _ => Err("usage: benchmarks cantilever".into()),
+    let done = match Arguments::parse().command {
+        Command::Cantilever => run_cantilever(Path::new("target/benchmarks")),
     };
     match done {
         Ok(()) => ExitCode::SUCCESS,
@@ -34,7 +46,6 @@ fn main() -> ExitCode {
         }
     }
 }
-
 /// Runs the cantilever on all meshes and prints error against unknowns, seconds and memory.
 fn run_cantilever(folder: &Path) -> Result<(), Box<dyn Error>> {
     std::fs::create_dir_all(folder)?;
