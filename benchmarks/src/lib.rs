@@ -1,4 +1,14 @@
 //! Speed against error: problems with known answers, run through the same entry as `fe`, and what measures them.
 #![cfg_attr(test, allow(clippy::unwrap_used))]
 
+pub mod cards;
+pub mod compare;
+pub mod fit;
+pub mod machine;
+pub mod measure;
+pub mod peer;
+pub mod plot;
+pub mod problem;
 pub mod problems;
+pub mod rows;
+pub mod study;

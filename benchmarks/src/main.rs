@@ -1,12 +1,12 @@
 //! The program: measures problems with known answers.
 
-use benchmarks::problems::cantilever;
+use benchmarks::study::Options;
+use benchmarks::{compare, measure, problems, study};
 use clap::{Parser, Subcommand};
-use fe::observer::Silent;
-use fe_core::element::ElementType;
 use std::error::Error;
+use std::ffi::OsString;
 use std::io::Write;
-use std::path::Path;
+use std::path::PathBuf;
 use std::process::ExitCode;
 
 /// Speed against error: problems with known answers, run through the same entry as `fe`.
@@ -19,26 +19,71 @@ struct Arguments {
 
 #[derive(Subcommand)]
 enum Command {
-    /// The cantilever: deflection of the tip against unknowns and seconds.
-    Cantilever,
+    /// List the problems, their curves and errors.
+    List,
+    /// Measure problems on all their meshes: table, rates, rows and plots.
+    Run {
+        /// Their names; all when left out.
+        problems: Vec<String>,
+        #[command(flatten)]
+        settings: Settings,
+    },
+    /// Run decks of problems through this program and CalculiX in turn.
+    Compare {
+        /// Their names; all that have such decks when left out.
+        problems: Vec<String>,
+        #[command(flatten)]
+        settings: Settings,
+    },
+    /// The cantilever beside CalculiX: the same as `compare cantilever`.
+    Cantilever {
+        #[command(flatten)]
+        settings: Settings,
+    },
+    /// Run a deck as the program `fe` does.
+    #[command(hide = true)]
+    Fe {
+        #[arg(trailing_var_arg = true, allow_hyphen_values = true)]
+        arguments: Vec<OsString>,
+    },
+    /// Launch one command and report what it took.
+    #[command(hide = true, name = measure::LAUNCH)]
+    Launch {
+        log: String,
+        #[arg(trailing_var_arg = true, allow_hyphen_values = true)]
+        command: Vec<String>,
+    },
 }
 
-/// Elements and divisions through the depth of `cantilever`: some 2,000 to 100,000 unknowns.
-const CANTILEVER: [(ElementType, usize); 6] = [
-    (ElementType::C3D8, 4),
-    (ElementType::C3D8, 8),
-    (ElementType::C3D8, 14),
-    (ElementType::C3D10, 2),
-    (ElementType::C3D10, 4),
-    (ElementType::C3D10, 7),
-];
+#[derive(clap::Args)]
+struct Settings {
+    /// Threads of each run.
+    #[arg(long, default_value_t = 1)]
+    threads: usize,
+    /// Counted runs of each scene, after one that is not counted.
+    #[arg(long, default_value_t = 5)]
+    runs: usize,
+    /// Leave out scenes with more unknowns.
+    #[arg(long, value_name = "UNKNOWNS", default_value_t = usize::MAX)]
+    most: usize,
+    /// Folder of decks, meshes and answers.
+    #[arg(long, default_value = "target/benchmarks")]
+    work: PathBuf,
+    /// Folder of rows and plots.
+    #[arg(long, default_value = "target/benchmarks/results")]
+    results: PathBuf,
+}
+
+impl Settings {
+    fn options(self) -> Options {
+        let Settings { threads, runs, most, work, results } = self;
+        Options { threads, runs: runs.max(1), most, work, results }
+    }
+}
 
 fn main() -> ExitCode {
-    let done = match Arguments::parse().command {
-        Command::Cantilever => run_cantilever(Path::new("target/benchmarks")),
-    };
-    match done {
-        Ok(()) => ExitCode::SUCCESS,
+    match execute(Arguments::parse().command) {
+        Ok(code) => code,
         Err(error) => {
             // Nothing can be said where standard error is closed.
             let _ = writeln!(std::io::stderr().lock(), "{error}");
@@ -46,39 +91,56 @@ fn main() -> ExitCode {
         }
     }
 }
-/// Runs the cantilever on all meshes and prints error against unknowns, seconds and memory.
-fn run_cantilever(folder: &Path) -> Result<(), Box<dyn Error>> {
-    std::fs::create_dir_all(folder)?;
-    let mut out = std::io::stdout().lock();
-    writeln!(
-        out,
-        "cantilever 10 x 1 x 1, tip deflection against Timoshenko's beam ({:.6}; a clamped solid tends to 0.7 % less)",
-        cantilever::reference()
-    )?;
-    writeln!(out, "element   n  unknowns  against beam  order  assemble  factor   solve   write   total  [s]")?;
-    for (element, n) in CANTILEVER {
-        let mesh = cantilever::mesh(element, n);
-        let name = format!("cantilever_{}_{n}", element.name().to_lowercase());
-        let (deck, bytes) = cantilever::files(element, &mesh, &name);
-        std::fs::write(folder.join(format!("{name}.msh")), bytes)?;
-        let path = folder.join(format!("{name}.inp"));
-        std::fs::write(&path, deck)?;
-        let report = fe::run(&path, &fe::standard(), &mut Silent)?;
-        let error = cantilever::tip(&mesh, &report.last.u) / cantilever::reference() - 1.0;
-        let (unknowns, s) = (report.last.u.len() - 3 * mesh.node_sets["XMIN"].len(), report.certificate.seconds);
-        let p = s.procedure;
-        writeln!(
-            out,
-            "{:7} {n:3} {unknowns:9} {:12.3} % {:6.2} {:9.2} {:7.2} {:7.2} {:7.2} {:7.2}",
-            element.name(),
-            100.0 * error,
-            p.order,
-            p.assemble,
-            p.factor,
-            p.solve,
-            s.write,
-            s.total
-        )?;
+
+fn execute(command: Command) -> Result<ExitCode, Box<dyn Error>> {
+    let out = &mut std::io::stdout();
+    match command {
+        Command::List => list(out)?,
+        Command::Run { problems, settings } => {
+            let options = settings.options();
+            for problem in chosen(&problems, |_| true)? {
+                study::study(&*problem, &options, out)?;
+            }
+        }
+        Command::Compare { problems, settings } => compare_all(&problems, &settings.options(), out)?,
+        Command::Cantilever { settings } => compare_all(&["cantilever".into()], &settings.options(), out)?,
+        Command::Fe { arguments } => {
+            return Ok(fe::main_with(fe::standard(), std::iter::once("fe".into()).chain(arguments)));
+        }
+        Command::Launch { log, command } => {
+            let Some(line) = measure::report(&log, &command)? else { return Ok(ExitCode::FAILURE) };
+            writeln!(out, "{line}")?;
+        }
+    }
+    Ok(ExitCode::SUCCESS)
+}
+
+fn compare_all(names: &[String], options: &Options, out: &mut dyn Write) -> Result<(), Box<dyn Error>> {
+    for problem in chosen(names, |problem| !problem.compared().is_empty())? {
+        compare::compare(&*problem, options, out)?;
+    }
+    Ok(())
+}
+
+/// The problems of these names, or all that fit.
+fn chosen(
+    names: &[String],
+    fits: impl Fn(&dyn problems::Problem) -> bool,
+) -> Result<Vec<Box<dyn problems::Problem>>, String> {
+    if names.is_empty() {
+        return Ok(problems::all().into_iter().filter(|problem| fits(&**problem)).collect());
+    }
+    names.iter().map(|name| problems::find(name)).collect()
+}
+
+fn list(out: &mut dyn Write) -> std::io::Result<()> {
+    for problem in problems::all() {
+        writeln!(out, "{}: {}", problem.name(), problem.about())?;
+        for curve in problem.curves() {
+            writeln!(out, "    {:<16} n = {:?}", curve.name(), curve.sizes)?;
+        }
+        let norms: Vec<&str> = problem.norms().iter().map(|norm| norm.name).collect();
+        writeln!(out, "    errors: {}", norms.join(", "))?;
     }
     Ok(())
 }

@@ -5,6 +5,7 @@ use crate::{check, job};
 use clap::{Parser, Subcommand, ValueEnum};
 use fe_contact::law::Laws;
 use fe_io::Library;
+use std::ffi::OsString;
 use std::io::Write;
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -57,7 +58,12 @@ enum Command {
 
 /// Runs the program with the arguments of the process. A program with laws of its own calls this with its library.
 pub fn main(library: Library) -> ExitCode {
-    let arguments = match Arguments::try_parse() {
+    main_with(library, std::env::args_os())
+}
+
+/// [`main`] with arguments of the caller's choice, the program's name first.
+pub fn main_with(library: Library, arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
+    let arguments = match Arguments::try_parse_from(arguments) {
         Ok(arguments) => arguments,
         Err(usage) => {
             let failed = usage.use_stderr();

@@ -19,6 +19,6 @@ pub mod reason;
 pub mod recorder;
 pub mod terms;
 
-pub use cli::{main, standard};
+pub use cli::{main, main_with, standard};
 pub use fe_io::Library;
 pub use job::{JobFailure, Report, run, run_model};

@@ -4,7 +4,8 @@
 
 mod common;
 
-use common::{Scratch, dat};
+use common::Scratch;
+use fe_io::results::read::{Table, tables};
 
 macro_rules! decks {
     ($($name:ident)*) => {
@@ -71,12 +72,12 @@ fn check(name: &str) {
     let deck = format!("{name}.inp");
     let run = scratch.fe(&["run", &deck, "--quiet"]);
     assert_eq!(run.status, 0, "{}", run.error);
-    let blocks = dat::read(&scratch.read(&format!("{name}.dat")));
+    let blocks = tables(&scratch.read(&format!("{name}.dat"))).unwrap();
     let mut count = 0;
     for line in scratch.read(&deck).lines().filter(|l| l.starts_with("** expect")) {
         let Some(e) = expectation(line) else { continue };
-        let fits = |b: &&dat::Block| b.title.starts_with(e.table) && e.set.as_ref().is_none_or(|s| *s == b.set);
-        let found: Vec<&dat::Block> = blocks.iter().filter(fits).collect();
+        let fits = |b: &&Table| b.title.starts_with(e.table) && e.set.as_ref().is_none_or(|s| *s == b.set);
+        let found: Vec<&Table> = blocks.iter().filter(fits).collect();
         let time = e.time.unwrap_or_else(|| found.last().unwrap_or_else(|| panic!("{line}: no table")).time);
         let rows = found.iter().filter(|b| (b.time - time).abs() <= 1e-6 * time.abs()).flat_map(|b| &b.rows);
         let rows: Vec<_> = rows.filter(|r| e.label.is_none_or(|l| r.labels.first() == Some(&l))).collect();

@@ -3,8 +3,9 @@
 
 mod common;
 
+use common::Scratch;
 use common::results::Results;
-use common::{Scratch, dat};
+use fe_io::results::read::tables;
 use std::process::{Command, Stdio};
 use std::time::{Duration, Instant};
 
@@ -29,7 +30,7 @@ fn cantilever(n: usize, load: f64, step: &str) -> String {
 
 /// Values of the last row of every table of this title.
 fn rows(text: &str, title: &str) -> Vec<(f64, Vec<f64>)> {
-    let blocks = dat::read(text).into_iter().filter(|b| b.title.starts_with(title));
+    let blocks = tables(text).unwrap().into_iter().filter(|b| b.title.starts_with(title));
     blocks.map(|b| (b.time, b.rows.last().unwrap().values.clone())).collect()
 }
 

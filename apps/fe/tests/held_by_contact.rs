@@ -3,8 +3,9 @@
 
 mod common;
 
+use common::Scratch;
 use common::results::Results;
-use common::{Scratch, dat};
+use fe_io::results::read::tables;
 
 /// Two unit cubes, E = 1000, the upper one `clearance` above the lower one and free along z; a pressure on its top.
 fn cubes(clearance: f64, pressure: f64, pair: &str) -> String {
@@ -48,7 +49,7 @@ fn a_pressed_cube_closes_its_clearance_without_strain() {
     let found = results.point_field("U", 3, 1)[3 * top + 2];
     // Four hexahedra's worth of round-off at a condition number of order 10.
     assert!((found / expected - 1.0).abs() < 1e-12, "{found} {expected}");
-    for block in dat::read(&scratch.read("cubes.dat")) {
+    for block in tables(&scratch.read("cubes.dat")).unwrap() {
         let column = match block.title.as_str() {
             title if title.starts_with("total force") => (2, 10.0),
             title if title.starts_with("contact stress") => (0, 10.0),

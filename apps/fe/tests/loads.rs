@@ -4,7 +4,8 @@
 
 mod common;
 
-use common::{Scratch, dat};
+use common::Scratch;
+use fe_io::results::read::{Table, tables};
 
 const CUBE: &str = "\
 *NODE
@@ -46,9 +47,9 @@ fn history(name: &str, steps: &str) -> Vec<(f64, [f64; 3], [f64; 3])> {
     scratch.write("cube.inp", &format!("{CUBE}{steps}"));
     let run = scratch.fe(&["run", "cube.inp", "--quiet"]);
     assert_eq!(run.status, 0, "{}", run.error);
-    let blocks = dat::read(&scratch.read("cube.dat"));
+    let blocks = tables(&scratch.read("cube.dat")).unwrap();
     let of = |title: &'static str| blocks.iter().filter(move |b| b.title.starts_with(title));
-    let mean = |block: &dat::Block| -> [f64; 3] {
+    let mean = |block: &Table| -> [f64; 3] {
         let rows = block.rows.len() as f64;
         std::array::from_fn(|c| block.rows.iter().map(|r| r.values[c]).sum::<f64>() / rows)
     };

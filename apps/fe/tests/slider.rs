@@ -4,8 +4,9 @@
 
 mod common;
 
+use common::Scratch;
 use common::slider::{Body, DISTANCE, K, pair, penalty};
-use common::{Scratch, dat};
+use fe_io::results::read::tables;
 
 /// Load towards the stop [F].
 const LOAD: f64 = 500.0;
@@ -15,7 +16,7 @@ const NODE: &str = "NODE TO SURFACE";
 
 /// Last value of a component (from 1) of the first row of the last table of this title.
 fn last(text: &str, title: &str, set: &str, component: usize) -> f64 {
-    let blocks = dat::read(text);
+    let blocks = tables(text).unwrap();
     let block = blocks.iter().rev().find(|b| b.title.starts_with(title) && b.set == set);
     block.unwrap_or_else(|| panic!("no table {title} of {set}")).rows[0].values[component - 1]
 }
@@ -123,7 +124,8 @@ fn the_reference_node_moves_the_stop() {
         close("reference", last(&text, "displacements", "REF", axis), 0.3, PRINTED);
         close("held", last(&text, "total force", "HELD", axis), -force, PRINTED);
         // At a quarter of the way nothing touches.
-        let early: Vec<f64> = dat::read(&text)
+        let early: Vec<f64> = tables(&text)
+            .unwrap()
             .iter()
             .filter(|b| b.title.starts_with("forces"))
             .map(|b| b.rows[0].values[axis - 1])

@@ -6,6 +6,7 @@ pub mod fields;
 pub mod grid;
 pub mod hdf5;
 pub mod history;
+pub mod read;
 mod steps;
 pub mod table;
 

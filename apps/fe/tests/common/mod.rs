@@ -1,7 +1,6 @@
 //! What the tests of the program share: a folder to run in, and readers of what it leaves.
 #![allow(dead_code)]
 
-pub mod dat;
 pub mod results;
 pub mod slider;
 
