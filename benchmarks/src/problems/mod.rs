@@ -1,12 +1,14 @@
 //! Problems with known answers: geometry at any refinement, deck and mesh as a user would write them, and the answer.
 
 pub mod cantilever;
+pub mod cylinder;
+mod grading;
 
 pub use crate::problem::Problem;
 
 /// All problems.
 pub fn all() -> Vec<Box<dyn Problem>> {
-    vec![Box::new(cantilever::Cantilever)]
+    vec![Box::new(cantilever::Cantilever), Box::new(cylinder::Cylinder)]
 }
 
 /// The problem of a name; the error lists the names there are.
