@@ -34,7 +34,7 @@ pub fn check(deck: &Path, library: &Library) -> Result<String, JobFailure> {
         let fixed: Vec<bool> = free.iter().map(|f| !f).collect();
         let cost = free.contains(&true).then(|| {
             let mut solver = Multifrontal::default();
-            solver.analyse(&scene.pattern(), &free);
+            solver.analyse(&scene.pattern(), &free, &scene.changing());
             solver.cost()
         });
         let bodies = free_bodies(&terms.structure, &terms.freedoms, &terms.bodies, &fixed, &terms.pairs);

@@ -39,11 +39,12 @@ impl Plan {
         }
         needs.push(("unknowns".into(), format!("{unknowns}, and {prescribed} prescribed freedoms")));
         if let Some(cost) = cost {
-            let (entries, flops) = (cost.factor_entries as f64, cost.flops);
-            let (memory, work) = (8e-6 * entries, 1e-9 * flops);
+            let memory = 8e-6 * cost.factor_entries as f64;
+            let [work, again] = [cost.flops, cost.flops_again].map(|flops| 1e-9 * flops);
+            let changes = if again > 0.0 { format!(", {again:.3} where contact has changed") } else { "".into() };
             needs.push((
                 "matrix".into(),
-                format!("symmetric positive definite; factor {memory:.1} MB, {work:.3} Gflop each time"),
+                format!("symmetric positive definite; factor {memory:.1} MB, {work:.3} Gflop{changes}"),
             ));
         }
         for pair in &terms.pairs {

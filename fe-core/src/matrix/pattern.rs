@@ -28,6 +28,13 @@ impl Couplings {
         }
     }
 
+    /// True for each node that is in a group.
+    pub fn touched(&self) -> Vec<bool> {
+        let mut touched = vec![false; self.nodes];
+        self.groups.iter().for_each(|&node| touched[node as usize] = true);
+        touched
+    }
+
     fn group(&self, g: u32) -> &[u32] {
         &self.groups[self.starts[g as usize] as usize..self.starts[g as usize + 1] as usize]
     }

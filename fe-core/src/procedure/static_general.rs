@@ -52,7 +52,7 @@ impl<'a> StaticGeneral<'a> {
         seconds.assemble = start.elapsed().as_secs_f64();
         if let Some(linear) = &system.linear {
             let start = Instant::now();
-            solver.analyse(&linear.pattern, &system.scene.free());
+            solver.analyse(&linear.pattern, &system.scene.free(), &system.scene.changing());
             seconds.order = start.elapsed().as_secs_f64();
         }
         let (factored, mean_forces) = (Factored::Nothing, (0.0, 0));
@@ -92,9 +92,12 @@ impl<'a> StaticGeneral<'a> {
             _ => false,
         };
         if !current {
-            self.factored = Factored::Nothing;
             let freedoms = &self.system.scene.freedoms;
-            self.solver.factor(tangent).map_err(|singular| Reject::Singular {
+            let factored = match std::mem::replace(&mut self.factored, Factored::Nothing) {
+                Factored::Nothing => self.solver.factor(tangent),
+                Factored::Linear | Factored::Tangent(_) => self.solver.factor_again(tangent),
+            };
+            factored.map_err(|singular| Reject::Singular {
                 node: freedoms.node(singular.freedom),
                 component: freedoms.component(singular.freedom),
             })?;

@@ -36,6 +36,13 @@ impl Scene<'_> {
         self.terms.iter().for_each(|term| term.couplings(&mut couplings));
         Arc::new(Pattern::new(self.freedoms, &couplings))
     }
+
+    /// True for each node that a term couples which is not linear: the blocks between these change.
+    pub fn changing(&self) -> Vec<bool> {
+        let mut couplings = Couplings::new(self.freedoms.nodes());
+        self.terms.iter().filter(|term| !term.is_linear()).for_each(|term| term.couplings(&mut couplings));
+        couplings.touched()
+    }
 }
 
 /// One evaluation of a scene.

@@ -5,13 +5,17 @@ use super::symbolic::{Entry, Supernode, Symbolic};
 use super::trapezoid::Panel;
 use crate::freedoms::COMPONENTS;
 use crate::matrix::BlockMatrix;
-use std::sync::{Mutex, PoisonError};
+use std::sync::{Mutex, OnceLock, PoisonError};
 
-/// What a supernode left to its parent: the lower triangle of its [`Supernode::update`].
+/// What a supernode left to its parent: the lower triangle of its [`Supernode::update`]. Empty where it is the one that
+/// was kept.
 pub(super) struct Update {
     supernode: usize,
     values: Vec<f64>,
 }
+
+/// What a supernode that does not change left to a parent that does.
+pub(super) type Kept = OnceLock<Vec<f64>>;
 
 /// Memory of updates that are no longer needed.
 #[derive(Default)]
@@ -48,6 +52,10 @@ pub(super) struct Fronts<'a> {
     /// Of each unknown the pivot at or below which nothing holds it.
     pub least: &'a [f64],
     pub pool: &'a Pool,
+    /// What is kept of each supernode.
+    pub kept: &'a [Kept],
+    /// True where fronts that do not change were eliminated before.
+    pub again: bool,
 }
 
 impl Fronts<'_> {
@@ -55,10 +63,15 @@ impl Fronts<'_> {
     /// end of the stack. The error is the unknown whose pivot vanished.
     pub fn visit(&self, s: usize, factor: &mut [f64], stack: &mut Vec<Update>) -> Result<(), usize> {
         let node = &self.symbolic.supernodes[s];
+        let children = stack.len() - node.children.len();
+        if self.again && !node.changes {
+            stack.truncate(children);
+            stack.push(Update { supernode: s, values: Vec::new() });
+            return Ok(());
+        }
         let (front, rest) = (node.factor(), node.update());
         let mut values = self.pool.take(rest.len());
         let update = &mut values[..rest.len()];
-        let children = stack.len() - node.children.len();
         let mut panels = front.split(factor);
         panels.extend(rest.split(update).into_iter().map(|(panel, numbers)| {
             let first = panel.first + node.columns;
@@ -70,11 +83,25 @@ impl Fronts<'_> {
             self.enter(node, panel, numbers);
             brood.iter().for_each(|child| self.extend_add(child, panel, numbers));
         });
-        stack.drain(children..).for_each(|child| self.pool.give(child.values));
+        stack.drain(children..).for_each(|child| self.release(node, child));
         let least = &self.least[node.unknown..node.unknown + node.columns];
         eliminate(front, factor, update, least).map_err(|column| node.unknown + column)?;
         stack.push(Update { supernode: s, values });
         Ok(())
+    }
+
+    /// Keeps what a child left where it will be wanted again, and gives its memory to the pool where not.
+    fn release(&self, parent: &Supernode, child: Update) {
+        let left = &self.symbolic.supernodes[child.supernode];
+        if !parent.changes || left.changes {
+            return self.pool.give(child.values);
+        }
+        self.kept[child.supernode].get_or_init(|| {
+            let mut values = child.values;
+            values.truncate(left.update().len());
+            values.shrink_to_fit();
+            values
+        });
     }
 
     /// Copies the blocks of the matrix that fall into a panel.
@@ -111,6 +138,8 @@ impl Fronts<'_> {
     fn extend_add(&self, child: &Update, panel: Panel, numbers: &mut [f64]) {
         let left = &self.symbolic.supernodes[child.supernode];
         let (runs, source) = (&left.runs, left.update());
+        let kept = self.kept[child.supernode].get();
+        let child_values = kept.unwrap_or(&child.values);
         let (first, end) = (panel.first, panel.first + panel.width);
         for (k, run) in runs.iter().enumerate() {
             let (to, from) = (run.to as usize, run.from as usize);
@@ -121,7 +150,7 @@ impl Fronts<'_> {
                 let source_column = column - to + from;
                 let from_panel = source.panel_of(source_column);
                 let range = from_panel.below(source_column, source_column);
-                let values = &child.values[from_panel.start + range.start..from_panel.start + range.end];
+                let values = &child_values[from_panel.start + range.start..from_panel.start + range.end];
                 let target = &mut numbers[panel.below(column, column)];
                 for run in &runs[k..] {
                     let skip = source_column.saturating_sub(run.from as usize);

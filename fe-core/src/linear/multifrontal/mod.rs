@@ -3,7 +3,11 @@
 //! The node graph is ordered by nested dissection; columns of like structure are eliminated together as one dense
 //! front, which leaves a dense update to its parent in the elimination tree. Subtrees run side by side, and near the
 //! roots the tiles of a front; both are cut in a fixed way, so the bits do not depend on the number of threads.
+//!
+//! Where a few blocks change from one factorisation to the next, as in contact, only their fronts and those above are
+//! eliminated again; the others leave what they left before, which is kept where it enters a front that changes.
 
+mod changing;
 mod dense;
 mod front;
 mod layout;
@@ -18,7 +22,7 @@ mod walk;
 
 use super::{Cost, LinearSolver, Singular};
 use crate::matrix::{BlockMatrix, Pattern};
-use front::{Fronts, Pool, Update};
+use front::{Fronts, Kept, Pool, Update};
 use solve::Substitution;
 use std::sync::Arc;
 use symbolic::Symbolic;
@@ -29,6 +33,7 @@ use walk::Walk;
 pub struct Multifrontal {
     symbolic: Symbolic,
     factor: Vec<f64>,
+    kept: Vec<Kept>,
 }
 
 impl Multifrontal {
@@ -55,6 +60,17 @@ impl Multifrontal {
         parts.min_by(|a, b| a.1.total_cmp(&b.1))
     }
 
+    /// Eliminates front by front; where it is done `again`, only the fronts that have changed.
+    fn eliminate(&mut self, matrix: &BlockMatrix, again: bool) -> Result<(), Singular> {
+        let symbolic = &self.symbolic;
+        let least = least_pivots(symbolic, matrix);
+        let fronts = Fronts { symbolic, matrix, least: &least, pool: &Pool::default(), kept: &self.kept, again };
+        let visit = |s: usize, own: &mut [f64], stack: &mut Vec<Update>| fronts.visit(s, own, stack);
+        Walk::new(symbolic, |s| symbolic.value_start(s))
+            .up(&mut self.factor, &visit)
+            .map_err(|unknown| Singular { freedom: symbolic.freedoms[unknown] as usize })
+    }
+
     /// Solves for several right-hand sides in place, each over all freedoms as in [`LinearSolver::solve`].
     pub fn solve_all(&self, sides: &mut [Vec<f64>]) {
         let right = sides.len();
@@ -75,23 +91,20 @@ impl Multifrontal {
 }
 
 impl LinearSolver for Multifrontal {
-    fn analyse(&mut self, pattern: &Arc<Pattern>, free: &[bool]) {
-        self.symbolic = Symbolic::new(pattern, free);
-        self.factor = Vec::new();
+    fn analyse(&mut self, pattern: &Arc<Pattern>, free: &[bool], changing: &[bool]) {
+        self.symbolic = Symbolic::new(pattern, free, changing);
+        (self.factor, self.kept) = (Vec::new(), Vec::new());
     }
 
     fn factor(&mut self, matrix: &BlockMatrix) -> Result<(), Singular> {
         assert_eq!(self.symbolic.masks.len(), matrix.pattern.nodes(), "the pattern was analysed");
-        let symbolic = &self.symbolic;
-        if self.factor.len() != symbolic.values {
-            self.factor = vec![0.0; symbolic.values];
-        }
-        let least = least_pivots(symbolic, matrix);
-        let fronts = Fronts { symbolic, matrix, least: &least, pool: &Pool::default() };
-        let visit = |s: usize, own: &mut [f64], stack: &mut Vec<Update>| fronts.visit(s, own, stack);
-        Walk::new(symbolic, |s| symbolic.value_start(s))
-            .up(&mut self.factor, &visit)
-            .map_err(|unknown| Singular { freedom: symbolic.freedoms[unknown] as usize })
+        self.factor.resize(self.symbolic.values, 0.0);
+        self.kept = self.symbolic.supernodes.iter().map(|_| Kept::new()).collect();
+        self.eliminate(matrix, false)
+    }
+
+    fn factor_again(&mut self, matrix: &BlockMatrix) -> Result<(), Singular> {
+        self.eliminate(matrix, true)
     }
 
     fn solve(&self, x: &mut [f64]) {
@@ -105,7 +118,8 @@ impl LinearSolver for Multifrontal {
 
     fn cost(&self) -> Cost {
         let symbolic = &self.symbolic;
-        Cost { unknowns: symbolic.freedoms.len(), factor_entries: symbolic.entries, flops: symbolic.flops() }
+        let (flops, flops_again) = (symbolic.flops(), symbolic.flops_again());
+        Cost { unknowns: symbolic.freedoms.len(), factor_entries: symbolic.entries, flops, flops_again }
     }
 }
 

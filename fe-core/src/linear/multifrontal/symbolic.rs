@@ -1,10 +1,11 @@
 //! All of a factorisation that depends only on which blocks exist and which freedoms are free.
 
+use super::changing;
 use super::layout::{Entering, lay_out};
 use super::supernodes::Supernodes;
 use super::trapezoid::Trapezoid;
-use super::tree::{Columns, NONE};
-use crate::linear::ordering::{Graph, nested_dissection};
+use super::tree::NONE;
+use crate::linear::ordering::Graph;
 use crate::matrix::Pattern;
 
 /// A supernode. Its front is a dense lower triangle of `rows` unknowns: first its own `columns`, which are
@@ -25,6 +26,8 @@ pub(super) struct Supernode {
     pub children: Vec<u32>,
     /// Multiplications and additions in the whole subtree.
     pub flops: f64,
+    /// True when a node eliminated here or below is a changing one.
+    pub changes: bool,
     /// Where the unknowns it leaves behind stand in its parent's front.
     pub runs: Vec<Run>,
     /// Blocks of the matrix that enter here, by ascending column.
@@ -84,14 +87,17 @@ pub(super) struct Symbolic {
     pub values: usize,
     /// Numbers in the lower triangle of the factor.
     pub entries: usize,
+    /// Multiplications and additions in the supernodes that change.
+    flops_again: f64,
 }
 
 impl Symbolic {
-    /// For the free freedoms of a pattern.
-    pub fn new(pattern: &Pattern, free: &[bool]) -> Self {
+    /// For the free freedoms of a pattern; `changing` tells the nodes among which blocks change.
+    pub fn new(pattern: &Pattern, free: &[bool], changing: &[bool]) -> Self {
         let masks = free_masks(pattern, free);
         let (graph, nodes) = node_graph(pattern, &masks);
-        let columns = Columns::new(&graph, nested_dissection(&graph));
+        let changing: Vec<bool> = nodes.iter().map(|&node| changing[node as usize]).collect();
+        let columns = changing::columns(&graph, &changing);
         let supernodes = Supernodes::new(&graph, &columns);
         let order: Vec<u32> = supernodes.order.iter().map(|&v| nodes[v as usize]).collect();
         let freedoms = order
@@ -100,8 +106,11 @@ impl Symbolic {
             .collect();
         let roots = (0..supernodes.parent.len() as u32).filter(|&s| supernodes.parent[s as usize] == NONE).collect();
         let entering = Entering::new(pattern, &masks, &order);
-        let fronts = lay_out(&graph, &supernodes, &entering);
-        let mut symbolic = Symbolic { freedoms, masks, supernodes: fronts, roots, values: 0, entries: 0 };
+        let mut fronts = lay_out(&graph, &supernodes, &entering);
+        for (front, own) in fronts.iter_mut().zip(supernodes.first.windows(2)) {
+            front.changes = supernodes.order[own[0] as usize..own[1] as usize].iter().any(|&v| changing[v as usize]);
+        }
+        let mut symbolic = Symbolic { freedoms, masks, supernodes: fronts, roots, ..Symbolic::default() };
         symbolic.finish(&supernodes.parent);
         symbolic
     }
@@ -121,6 +130,11 @@ impl Symbolic {
         self.roots.iter().map(|&s| self.supernodes[s as usize].flops).sum()
     }
 
+    /// Multiplications and additions of a factorisation again.
+    pub fn flops_again(&self) -> f64 {
+        self.flops_again
+    }
+
     /// Sums over the tree.
     fn finish(&mut self, parent: &[u32]) {
         for (s, &above) in parent.iter().enumerate() {
@@ -128,11 +142,14 @@ impl Symbolic {
             node.values = self.values;
             self.values += node.factor().len();
             self.entries += node.columns * (2 * node.rows - node.columns + 1) / 2;
-            node.flops += (0..node.columns).map(|k| ((node.rows - k) as f64).powi(2)).sum::<f64>();
-            let (subtree, flops) = (node.subtree, node.flops);
+            let own: f64 = (0..node.columns).map(|k| ((node.rows - k) as f64).powi(2)).sum();
+            node.flops += own;
+            self.flops_again += if node.changes { own } else { 0.0 };
+            let (subtree, flops, changes) = (node.subtree, node.flops, node.changes);
             if above != NONE {
                 let above = &mut self.supernodes[above as usize];
                 above.flops += flops;
+                above.changes |= changes;
                 above.subtree = above.subtree.min(subtree);
                 above.children.push(s as u32);
             }

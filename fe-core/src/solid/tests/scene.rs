@@ -147,7 +147,7 @@ impl Scene {
         stiffness.multiply_add(&u, &mut rest);
         rest.iter_mut().zip(force).for_each(|(r, f)| *r = f - *r);
         let mut solver = Multifrontal::new();
-        solver.analyse(&stiffness.pattern, &free);
+        solver.analyse(&stiffness.pattern, &free, &vec![false; stiffness.pattern.nodes()]);
         solver.factor(&stiffness).unwrap();
         solver.solve(&mut rest);
         u.iter_mut().zip(&rest).for_each(|(u, d)| *u += d);
