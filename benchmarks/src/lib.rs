@@ -3,9 +3,11 @@
 
 pub mod cards;
 pub mod compare;
+pub mod exact;
 pub mod fit;
 pub mod machine;
 pub mod measure;
+pub mod norm;
 pub mod peer;
 pub mod plot;
 pub mod problem;
