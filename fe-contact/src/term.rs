@@ -106,7 +106,8 @@ impl Term for Pair {
         for (i, p) in self.points.iter().enumerate() {
             let gap = self.opening(i, at.u);
             if !gap.is_finite() {
-                return Err(Reject::NotFinite { place: format!("the gap of node {} of {}", p.node, self.name()) });
+                let place = format!("the gaps of {}", self.name());
+                return Err(Reject::NotFinite { place, node: Some(p.node as usize) });
             }
             let (answer, status) = self.respond(gap);
             let measure = p.measure.value();

@@ -36,9 +36,11 @@ pub enum Reject {
         changes: usize,
     },
     /// A number that is not finite came up.
-    #[error("a number that is not finite came up in {place}")]
+    #[error("a number that is not finite came up in {place}{}", .node.map_or(String::new(), |n| format!(" at node {n}")))]
     NotFinite {
         /// The term or the vector.
         place: String,
+        /// Node index, where there is one (messages translate it to the label).
+        node: Option<usize>,
     },
 }

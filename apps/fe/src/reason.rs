@@ -12,6 +12,10 @@ pub fn explain(reject: &Reject, terms: &Terms) -> String {
             let body = body.map_or(String::new(), |b| format!(" ({})", terms.body_name(b)));
             format!("nothing holds freedom {} of node {label}{body}: the stiffness is singular there", component + 1)
         }
+        Reject::NotFinite { place, node: Some(node) } => {
+            let label = terms.structure.mesh.point_labels[*node];
+            format!("a number that is not finite came up in {place} at node {label}")
+        }
         other => other.to_string(),
     }
 }

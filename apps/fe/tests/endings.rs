@@ -153,3 +153,19 @@ fn chosen_fields_and_frequencies() {
     assert_eq!(times, [0.625, 1.0]);
     assert_eq!(rows(&text, "forces").len(), 8);
 }
+
+/// A load that moves the strip beyond all numbers: the gap that is none is named by the label of its node.
+#[test]
+fn a_gap_that_is_no_number_is_named_by_its_node() {
+    let scratch = Scratch::new("endings_not_finite");
+    let deck = cantilever(2, 1e308, "*STEP\n*STATIC\n1., 1., 1., 1.\n").replace("1000., 0.3", "1e-5, 0.3");
+    scratch.write("strip.inp", &deck);
+    let run = scratch.fe(&["run", "strip.inp"]);
+    assert_eq!(run.status, 1);
+    for words in ["not finite", "the gaps of SEC on FLOOR at node ", "extreme numbers"] {
+        assert!(run.error.contains(words), "{words}: {}", run.error);
+    }
+    let digits = run.error.split("at node ").nth(1).unwrap().split(|c: char| !c.is_ascii_digit()).next().unwrap();
+    let label: u32 = digits.parse().unwrap();
+    assert!((1..=3).contains(&label), "the nodes of SEC are 1 to 3: {}", run.error);
+}

@@ -130,7 +130,7 @@ impl<'a> System<'a> {
             *r += c - e;
         }
         if !residual.iter().all(|r| r.is_finite()) {
-            return Err(Reject::NotFinite { place: "the forces".into() });
+            return Err(Reject::NotFinite { place: "the forces".into(), node: None });
         }
         Ok(Evaluation { residual, nonlinear, tangent, linear_energy, nonlinear_energy, status_changes })
     }

@@ -66,7 +66,7 @@ impl SolidBlock {
             std::mem::swap(&mut ready, &mut next);
         }
         out.energy += energy;
-        if energy.is_finite() { Ok(()) } else { Err(Reject::NotFinite { place: self.name.clone() }) }
+        if energy.is_finite() { Ok(()) } else { Err(Reject::NotFinite { place: self.name.clone(), node: None }) }
     }
 
     /// Stiffness and force of some cells, `[cells][K::STIFFNESS]`.
