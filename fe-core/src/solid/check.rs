@@ -21,6 +21,26 @@ pub struct BadElement {
     pub defect: Defect,
 }
 
+/// A brick that is folded at a corner, j < 0 there, and sound at all its integration points: it is computed as it is.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[error(
+    "element {label} ({}) is folded at corner {} (node {node}): j = {jacobian:.3e} there", .element.name(), .corner + 1
+)]
+pub struct FoldedCorner {
+    /// The cell.
+    pub cell: CellId,
+    /// Its label.
+    pub label: u64,
+    /// Its element type.
+    pub element: ElementType,
+    /// The corner where j is least, from 0.
+    pub corner: usize,
+    /// Label of its node.
+    pub node: u64,
+    /// j there [L³].
+    pub jacobian: f64,
+}
+
 /// What is wrong with an element. Jacobians j are determinants of ∂x/∂ξ [L² or L³].
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum Defect {
@@ -84,8 +104,18 @@ const ROUND_OFF: f64 = 1e-12;
 
 /// Volumes of the cells of a section [L³], or the first bad one.
 pub(super) fn volumes(mesh: &Mesh, section: &Section) -> Result<Vec<f64>, BadElement> {
+    Ok(examine(mesh, section)?.into_iter().map(|(volume, _)| volume).collect())
+}
+
+/// The first cell of a section that cannot be integrated, or the bricks that are folded at a corner.
+pub fn check(mesh: &Mesh, section: &Section) -> Result<Vec<FoldedCorner>, BadElement> {
+    Ok(examine(mesh, section)?.into_iter().filter_map(|(_, folded)| folded).collect())
+}
+
+/// Volume [L³] and folded corner of each cell, or the first bad cell.
+fn examine(mesh: &Mesh, section: &Section) -> Result<Vec<(f64, Option<FoldedCorner>)>, BadElement> {
     let checker = Checker::new(section);
-    let results: Vec<_> = section.cells.par_iter().map(|&cell| checker.volume(mesh, cell)).collect();
+    let results: Vec<_> = section.cells.par_iter().map(|&cell| checker.examine(mesh, cell)).collect();
     results.into_iter().collect()
 }
 
@@ -129,7 +159,7 @@ impl Checker {
         Checker { element, factor, places, points, corners }
     }
 
-    fn volume(&self, mesh: &Mesh, cell: CellId) -> Result<f64, BadElement> {
+    fn examine(&self, mesh: &Mesh, cell: CellId) -> Result<(f64, Option<FoldedCorner>), BadElement> {
         let x: Vec<[f64; 3]> = mesh.cell(cell).iter().map(|&n| mesh.points[n as usize]).collect();
         let jacobians: Vec<f64> = self.places.iter().map(|(_, g)| self.jacobian(&x, g)).collect();
         if let Some(defect) = self.defect(&x, &jacobians) {
@@ -140,7 +170,23 @@ impl Checker {
             let radius = if axisymmetric { values.iter().zip(&x).map(|(n, x)| n * x[0]).sum() } else { 1.0 };
             weight * j * radius * self.factor
         };
-        Ok(self.points.iter().zip(&jacobians[self.corners..]).map(share).sum())
+        let volume = self.points.iter().zip(&jacobians[self.corners..]).map(share).sum();
+        let folded = self.folded_corner(&jacobians).map(|corner| FoldedCorner {
+            cell,
+            label: mesh.cell_label(cell),
+            element: self.element,
+            corner,
+            node: mesh.point_labels[mesh.cell(cell)[corner] as usize],
+            jacobian: jacobians[corner],
+        });
+        Ok((volume, folded))
+    }
+
+    /// The corner with the least j, where that is negative beyond round-off.
+    fn folded_corner(&self, jacobians: &[f64]) -> Option<usize> {
+        let largest = jacobians.iter().fold(0.0f64, |m, j| m.max(j.abs()));
+        let least = (0..self.corners).min_by(|&a, &b| jacobians[a].total_cmp(&jacobians[b]))?;
+        (jacobians[least] < -ROUND_OFF * largest).then_some(least)
     }
 
     fn defect(&self, x: &[[f64; 3]], jacobians: &[f64]) -> Option<Defect> {
@@ -154,15 +200,13 @@ impl Checker {
         if !all_finite || largest <= ROUND_OFF * size.powi(self.element.space().dimension() as i32) {
             return Some(Defect::NoVolume { place, jacobian });
         }
-        let (corner, at_corner) = least(0..self.corners)?;
         if jacobians[..self.corners].iter().all(|&j| j < 0.0) {
             return Some(Defect::Inverted { place: Place::Corner(0), jacobian: jacobians[0] });
         }
         // A brick may fold a little at a corner and still be sound at all its integration points: element 4 of the
         // solid patch of MacNeal and Harder (Finite Elem. Anal. Des. 1 (1985) 3) does.
-        let corners_count = self.element != ElementType::C3D8;
-        if corners_count && at_corner < -ROUND_OFF * largest {
-            return Some(Defect::Folded { place: corner, jacobian: at_corner });
+        if let Some(corner) = self.folded_corner(jacobians).filter(|_| self.element != ElementType::C3D8) {
+            return Some(Defect::Folded { place: Place::Corner(corner), jacobian: jacobians[corner] });
         }
         if jacobian < -ROUND_OFF * largest {
             return Some(Defect::Folded { place, jacobian });

@@ -15,7 +15,7 @@ mod term;
 #[cfg(test)]
 mod tests;
 
-pub use check::{BadElement, Defect, Place};
+pub use check::{BadElement, Defect, FoldedCorner, Place, check};
 pub use recovery::PointFields;
 
 use crate::element::ElementType;

@@ -3,7 +3,7 @@
 use super::scene::Scene;
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use fe_core::element::{ElementType, Space};
-use fe_core::solid::SolidBlock;
+use fe_core::solid;
 use fe_mesh::CellId;
 
 /// Above this Poisson's ratio constant-strain elements are far too stiff.
@@ -47,7 +47,7 @@ pub fn spaces(scene: &mut Scene<'_>, diagnostics: &mut Diagnostics) {
 
 /// Freedoms of all nodes; a reference node belongs to no element.
 pub fn freedoms(scene: &mut Scene<'_>, diagnostics: &mut Diagnostics) {
-    let (node, rigid) = if scene.structure.is_plane() { (0b11, 0b100011) } else { (0b111, 0b111111) };
+    let (node, rigid) = scene.structure.freedom_masks();
     let mut masks = vec![0u8; scene.structure.mesh.points.len()];
     for block in &scene.structure.mesh.blocks {
         block.nodes.iter().for_each(|&n| masks[n as usize] = node);
@@ -100,13 +100,18 @@ pub fn twins(scene: &Scene<'_>, diagnostics: &mut Diagnostics) {
 
 /// Elements that cannot be integrated, and materials that do not suit their elements.
 pub fn elements(scene: &Scene<'_>, diagnostics: &mut Diagnostics) {
-    let references: Vec<u32> = scene.references.values().copied().collect();
-    let freedoms = scene.structure.freedoms(&references);
     for section in &scene.structure.sections {
-        if let Err(bad) = SolidBlock::new(&scene.structure, section, &freedoms)
-            && let Some(at) = scene.place_of(bad.cell)
-        {
-            diagnostics.push(Diagnostic::error(at, bad.to_string()));
+        match solid::check(&scene.structure.mesh, section) {
+            Err(bad) => {
+                let fault = scene.place_of(bad.cell).map(|at| Diagnostic::error(at, bad.to_string()));
+                fault.into_iter().for_each(|fault| diagnostics.push(fault));
+            }
+            Ok(folded) => folded.iter().for_each(|corner| {
+                if let Some(at) = scene.place_of(corner.cell) {
+                    let warning = Diagnostic::warning(at, corner.to_string());
+                    diagnostics.push(warning.label("sound at its integration points, so it is computed as it is"));
+                }
+            }),
         }
         let material = &scene.structure.materials[section.material];
         let constant_strain = matches!(section.element, ElementType::C3D4 | ElementType::CPE3 | ElementType::CAX3);

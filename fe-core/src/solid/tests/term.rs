@@ -2,7 +2,7 @@
 
 use super::scene::{Scene, jiggle, noise, straighten};
 use crate::element::ElementType::{self, *};
-use crate::solid::{Defect, Place, SolidBlock};
+use crate::solid::{Defect, Place, SolidBlock, check};
 use crate::term::{Assembly, Motion, Term};
 use crate::verify;
 
@@ -131,4 +131,22 @@ fn bad_elements_are_named() {
     assert!(matches!(defect(C3D4, &coplanar).1, Defect::NoVolume { .. }));
     let missing = [square[0], square[1], square[2], [f64::NAN, 0.0, 1.0]];
     assert!(matches!(defect(C3D4, &missing).1, Defect::NoVolume { .. }));
+}
+
+/// A cube whose corner 7 is pushed to (a, a, a): j there is (3 a − 2)/8, the triple product of its half edges.
+#[test]
+fn a_brick_folded_at_a_corner_is_told() {
+    let cube = |a: f64| {
+        let mut points: Vec<[f64; 3]> =
+            [0.0, 1.0].iter().flat_map(|&z| [[0.0, 0.0, z], [1.0, 0.0, z], [1.0, 1.0, z], [0.0, 1.0, z]]).collect();
+        points[6] = [a; 3];
+        let scene = Scene::new(C3D8, points, (0..8).collect());
+        check(&scene.structure.mesh, &scene.structure.sections[0])
+    };
+    let folded = cube(0.6).unwrap();
+    assert_eq!((folded.len(), folded[0].corner, folded[0].label, folded[0].node), (1, 6, 1, 7));
+    assert!((folded[0].jacobian + 0.025).abs() < 1e-15 * 8.0, "{}", folded[0]);
+    assert_eq!(cube(0.7), Ok(Vec::new()));
+    // Far enough in, an integration point folds too.
+    assert!(matches!(cube(0.2).unwrap_err().defect, Defect::Folded { place: Place::Point(_), .. }));
 }
