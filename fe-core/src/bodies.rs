@@ -1,6 +1,5 @@
 //! Bodies: connected elements, and the rigid motions that supports leave them.
 
-use crate::element::Space;
 use crate::freedoms::{COMPONENTS, Freedoms};
 use crate::structure::Structure;
 use nalgebra::{Matrix6, SymmetricEigen, Vector6};
@@ -90,18 +89,13 @@ impl Body {
 
 /// The rigid motions of the space, rotations scaled so that the rim of a body of `size` moves by one.
 fn rigid_modes(structure: &Structure, size: f64) -> Vec<RigidMotion> {
-    let axisymmetric = structure.elements.iter().any(|e| e.space() == Space::Axisymmetric);
-    let components: &[usize] = match (axisymmetric, structure.is_plane()) {
-        (true, _) => &[1],
-        (_, true) => &[0, 1, 5],
-        _ => &[0, 1, 2, 3, 4, 5],
-    };
-    let unit = |&c: &usize| {
+    let (_, rigid) = structure.freedom_masks();
+    let unit = |c: usize| {
         let mut motion = [0.0; COMPONENTS];
         motion[c] = if c < 3 { 1.0 } else { 1.0 / size };
         motion
     };
-    components.iter().map(unit).collect()
+    (0..COMPONENTS).filter(|c| rigid >> c & 1 == 1).map(unit).collect()
 }
 
 /// The bodies of a structure in the order of their first node; each reference node is one by itself unless

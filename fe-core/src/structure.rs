@@ -38,15 +38,30 @@ impl Structure {
         self.elements.iter().any(|e| e.space() != Space::Solid)
     }
 
+    /// True when the scene is axisymmetric.
+    pub fn is_axisymmetric(&self) -> bool {
+        self.elements.iter().any(|e| e.space() == Space::Axisymmetric)
+    }
+
+    /// The freedoms, a bit each, of a node of elements and of the reference node of a rigid body. A rigid body around
+    /// an axis moves along it: radial motion and turning would strain it.
+    pub fn freedom_masks(&self) -> (u8, u8) {
+        match (self.is_axisymmetric(), self.is_plane()) {
+            (true, _) => (0b11, 0b10),
+            (_, true) => (0b11, 0b100011),
+            _ => (0b111, 0b111111),
+        }
+    }
+
     /// Section of a cell.
     pub fn section_of(&self, cell: CellId) -> Option<&Section> {
         self.sections.iter().find(|s| s.cells.binary_search(&cell).is_ok())
     }
 
     /// The freedoms of all nodes: translations where an element is, and on each of `references` (nodes that
-    /// carry a rigid body) all translations and rotations of the space.
+    /// carry a rigid body) the rigid motions of the space.
     pub fn freedoms(&self, references: &[u32]) -> Freedoms {
-        let (node, rigid) = if self.is_plane() { (0b11, 0b100011) } else { (0b111, 0b111111) };
+        let (node, rigid) = self.freedom_masks();
         let mut masks = vec![0u8; self.mesh.points.len()];
         for section in &self.sections {
             for &cell in &section.cells {
@@ -55,5 +70,18 @@ impl Structure {
         }
         references.iter().for_each(|&n| masks[n as usize] |= rigid);
         Freedoms::new(&masks)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_rigid_body_has_the_motions_of_its_space() {
+        let masks = |element| Structure { elements: vec![element], ..Structure::default() }.freedom_masks();
+        assert_eq!(masks(ElementType::C3D10), (0b111, 0b111111));
+        assert_eq!(masks(ElementType::CPS4), (0b11, 0b100011));
+        assert_eq!(masks(ElementType::CAX4), (0b11, 0b10));
     }
 }

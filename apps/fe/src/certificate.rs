@@ -3,7 +3,6 @@
 use crate::number::scientific;
 use fe_contact::state::PairState;
 use fe_core::Freedoms;
-use fe_core::element::Space;
 use fe_core::procedure::{Converged, Convergence, Energy, Seconds};
 use fe_core::structure::Structure;
 use std::fmt;
@@ -75,7 +74,7 @@ impl Certificate {
             }
         }
         // About the axis, radial forces balance by the ring itself.
-        let axisymmetric = structure.elements.iter().any(|e| e.space() == Space::Axisymmetric);
+        let axisymmetric = structure.is_axisymmetric();
         let sums = (0..3).filter(|&c| !(axisymmetric && c == 0)).map(|c| (applied[c] + reaction[c]).abs());
         // Forces that round-off alone explains need not balance: each freedom may leave as much.
         let noise = convergence.round_off * freedoms.len() as f64;

@@ -142,15 +142,17 @@ fn existing(line: &Line<'_>, nodes: &[u32], scene: &Scene<'_>, diagnostics: &mut
     if missing.is_empty() || (line.named && missing.len() < line.freedoms.len()) {
         return;
     }
-    let (nodes, freedoms) = (normalized(line.nodes.text), missing.join(", "));
-    if missing.len() < line.freedoms.len() {
-        let note = Diagnostic::note(line.at, format!("no node of `{nodes}` has freedom {freedoms}"));
-        diagnostics.push(note.label("left out"));
+    let title = format!("no node of `{}` has freedom {}", normalized(line.nodes.text), missing.join(", "));
+    // Decks for other programs hold what a rigid body around an axis does not have.
+    let rigid_rings = scene.structure.is_axisymmetric() && all == scene.structure.freedom_masks().1;
+    if missing.len() < line.freedoms.len() || (rigid_rings && line.value == 0.0) {
+        diagnostics.push(Diagnostic::note(line.at, title).label("left out"));
         return;
     }
-    let fault = Diagnostic::error(line.at, format!("no node of `{nodes}` has freedom {freedoms}"));
+    let fault = Diagnostic::error(line.at, title);
     diagnostics.push(match all {
         0 => fault.label("they belong to no element"),
+        _ if rigid_rings => fault.label("a rigid body around an axis moves along it only: freedom 2"),
         _ if scene.structure.is_plane() => fault.label("plane elements move in x and y: freedoms 1 and 2"),
         _ => fault.label("solid elements have translations only: freedoms 1 to 3"),
     });
