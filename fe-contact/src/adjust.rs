@@ -54,15 +54,16 @@ fn of_pair(
         Adjust::Within(distance) => gap <= *distance,
         Adjust::Nodes(set) => gap < 0.0 || set.contains(&node),
     };
-    let grid = Grid::of_facets(&sides.main, EXTENSION);
-    let closest = Closest::new(&sides.main, &grid);
+    // A rigid main side has no facets among which to search.
+    let grid = (!sides.main.is_empty()).then(|| Grid::of_facets(&sides.main, EXTENSION));
+    let closest = grid.as_ref().map(|grid| Closest::new(&sides.main, grid));
     let length = characteristic_length(&sides.secondary).or_else(|| characteristic_length(&sides.main));
     let deepest = length.map_or(f64::INFINITY, |l| 0.5 * l);
     let mut moves = Vec::new();
     for n in secondary_points(structure, &sides) {
         let foot = match &definition.main {
-            Main::Faces(_) => match closest.foot(&n.x, n.outward.as_ref(), deepest) {
-                Found::Foot(foot) => Some((foot.gap, foot.normal)),
+            Main::Faces(_) => match closest.as_ref().map(|c| c.foot(&n.x, n.outward.as_ref(), deepest)) {
+                Some(Found::Foot(foot)) => Some((foot.gap, foot.normal)),
                 _ => None,
             },
             Main::Rigid { surface, .. } => {

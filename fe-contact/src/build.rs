@@ -32,7 +32,7 @@ impl Pair {
         let mut sides = Prepared::new(structure, definition, interaction)?;
         let discretization = settle(definition, &mut sides)?;
         let deepest = deepest(definition, &sides, interaction);
-        let constraints = constrain(structure, definition, &sides, (discretization, deepest));
+        let (constraints, searched) = constrain(structure, definition, &sides, (discretization, deepest));
         if let Some((depth, node)) = constraints.too_deep {
             let (secondary, main) = (definition.secondary_name.clone(), definition.main_name.clone());
             return Err(PairError::TooDeep { node, depth, limit: deepest, secondary, main });
@@ -65,6 +65,7 @@ impl Pair {
                 discretization,
                 penalty,
                 beneath,
+                searched,
                 points: points.len(),
                 measure: points.first().map_or(MeasureKind::Pressure, |p| MeasureKind::of(p.measure)),
             },
@@ -82,8 +83,8 @@ const TOUCH: f64 = 1e-12;
 
 /// Diagonal [L] of the box around all points.
 fn model_size(structure: &Structure) -> f64 {
-    let points: Vec<Vec3> = structure.mesh.points.iter().map(|&p| p.into()).collect();
-    Bounds::around(&points, 0.0).diagonal()
+    let boxes = structure.mesh.points.iter().map(|&p| Bounds::around(&[p.into()], 0.0));
+    boxes.reduce(|a, b| a.union(&b)).map_or(0.0, |all| all.diagonal())
 }
 
 fn check_numbers(interaction: &Interaction) -> Result<(), PairError> {
@@ -136,29 +137,32 @@ fn deepest(definition: &PairDefinition, sides: &Prepared, interaction: &Interact
     length.map_or(f64::INFINITY, |l| 0.5 * l)
 }
 
+/// The constraints, and the facets that a search sorted for them.
 fn constrain(
     structure: &Structure,
     definition: &PairDefinition,
     sides: &Prepared,
     (discretization, deepest): (Discretization, f64),
-) -> Constraints {
+) -> (Constraints, Option<usize>) {
     let nodes = || secondary_points(structure, sides);
     if let Main::Rigid { surface, reference } = &definition.main {
         let position = structure.mesh.points[*reference as usize].into();
         let main = RigidSide { surface, reference: *reference, position };
-        return match discretization {
+        let constraints = match discretization {
             Discretization::SurfaceToSurface => surface_to_surface::rigid(&sides.secondary, main, deepest),
             Discretization::NodeToSurface => node_to_surface::rigid(&nodes(), main, deepest),
         };
+        return (constraints, None);
     }
     let secondary_grid = Grid::of_facets(&sides.secondary, 1e-6);
     // Normals of curved neighbours may lead a little past a facet.
     let main_grid = Grid::of_facets(&sides.main, EXTENSION);
     let both = Sides::new((&sides.secondary, &secondary_grid), (&sides.main, &main_grid), deepest);
-    match discretization {
+    let constraints = match discretization {
         Discretization::SurfaceToSurface => surface_to_surface::deformable(&both),
         Discretization::NodeToSurface => node_to_surface::deformable(&nodes(), &both),
-    }
+    };
+    (constraints, Some(secondary_grid.len() + main_grid.len()))
 }
 
 /// The secondary nodes with normals and areas, where there are facets.

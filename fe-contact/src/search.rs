@@ -108,6 +108,16 @@ impl Grid {
         }
     }
 
+    /// Number of boxes.
+    pub fn len(&self) -> usize {
+        self.boxes.len()
+    }
+
+    /// True when there is no box.
+    pub fn is_empty(&self) -> bool {
+        self.boxes.is_empty()
+    }
+
     /// The box around all of them.
     pub fn bounds(&self) -> Bounds {
         self.all

@@ -65,6 +65,8 @@ pub struct Summary {
     pub penalty: Option<PenaltySummary>,
     /// Stiffness k_e [F/L³] of the elements beneath; the least of both sides.
     pub beneath: Option<f64>,
+    /// Facets of both sides that a search sorted into boxes; `None` where nothing was searched (a rigid main side).
+    pub searched: Option<usize>,
     /// Number of points.
     pub points: usize,
     /// What the law's number is (points with and without areas in one pair: that of the first).

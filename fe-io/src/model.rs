@@ -22,8 +22,8 @@ pub struct Place {
 pub struct Model {
     /// `*HEADING`.
     pub heading: String,
-    /// Bodies.
-    pub structure: Structure,
+    /// Bodies; a job shares them, unless it moves nodes.
+    pub structure: Arc<Structure>,
     /// Amplitudes.
     pub amplitudes: Vec<Amplitude>,
     /// Interactions.

@@ -2,13 +2,16 @@
 
 use crate::approach::free_bodies;
 use crate::course::Course;
+use crate::fields::needs_recovery;
 use crate::job::{JobFailure, enter};
-use crate::plan::Plan;
+use crate::plan::{Matrix, Plan};
+use crate::printed;
+use crate::recorder::chosen_fields;
 use crate::terms::Terms;
 use fe_core::linear::LinearSolver;
 use fe_core::linear::multifrontal::Multifrontal;
 use fe_core::procedure::Converged;
-use fe_io::{Deck, Library, resolve};
+use fe_io::{Deck, Library, Model, resolve};
 use std::fmt::Write;
 use std::path::Path;
 
@@ -26,20 +29,37 @@ pub fn check(deck: &Path, library: &Library) -> Result<String, JobFailure> {
         let _ = writeln!(text, "{}", crate::console::remark(note));
     });
     let n = terms.freedoms.len();
+    let _ = writeln!(text, "{}", results_in_words(&model, &terms));
     let rest = Converged { u: vec![0.0; n], residual: vec![0.0; n], external: vec![0.0; n], ..Converged::default() };
     let mut course = Course::new(&model);
     for (index, step) in model.steps.iter().enumerate() {
         let scene = enter(&model, &terms, index, &mut course, &rest)?;
         let free = scene.free();
         let fixed: Vec<bool> = free.iter().map(|f| !f).collect();
-        let cost = free.contains(&true).then(|| {
-            let mut solver = Multifrontal::default();
-            solver.analyse(&scene.pattern(), &free, &scene.changing());
-            solver.cost()
+        let matrix = free.contains(&true).then(|| {
+            let (mut solver, pattern) = (Multifrontal::default(), scene.pattern());
+            solver.analyse(&pattern, &free, &scene.changing());
+            Matrix::of(&pattern, solver.cost())
         });
         let bodies = free_bodies(&terms.structure, &terms.freedoms, &terms.bodies, &fixed, &terms.pairs);
-        let plan = Plan::of(&terms, step, scene.prescribed.len(), cost, &bodies);
+        let plan = Plan::of(&terms, step, scene.prescribed.len(), matrix, &bodies);
         let _ = writeln!(text, "\nstep {}, time {}\n{plan}", index + 1, step.increments.period);
     }
     Ok(text)
+}
+
+/// The words by which the fields of the results file are asked for.
+fn results_in_words(model: &Model, terms: &Terms) -> String {
+    let fields = chosen_fields(model, terms);
+    let mut words: Vec<&str> = Vec::new();
+    for field in &fields {
+        // Fields at points and at cells share a word.
+        if !words.contains(&field.request) {
+            words.push(field.request);
+        }
+    }
+    let mut tables = model.steps.iter().flat_map(|step| &step.output.tables);
+    let recovers = fields.iter().any(needs_recovery) || tables.any(printed::needs_recovery);
+    let without = if recovers { "" } else { "; stresses and strains are not computed" };
+    format!("results {}{without}", words.join(", "))
 }

@@ -5,7 +5,7 @@ use crate::certificate::{Certificate, RunCertificate};
 use crate::course::Course;
 use crate::number::scientific;
 use crate::observer::{Event, Observer};
-use crate::plan::Plan;
+use crate::plan::{Matrix, Plan};
 use crate::reason::{explain, help};
 use crate::recorder::{self, Increment, Recorder};
 use crate::terms::Terms;
@@ -62,6 +62,8 @@ pub fn run(deck: &Path, library: &Library, observer: &mut dyn Observer) -> Resul
     let cards = Deck::read(deck).map_err(|faults| JobFailure::Deck(faults.to_string()))?;
     let model = resolve(&cards, library).map_err(|faults| JobFailure::Deck(faults.to_string()))?;
     spare_sources(deck, &cards)?;
+    // A job needs the model alone, not the text it stood in.
+    drop(cards);
     let read = start.elapsed().as_secs_f64();
     run_model(&model, deck, read, observer)
 }
@@ -154,7 +156,8 @@ impl StepRun<'_, '_> {
         let solver = Box::new(Multifrontal::default());
         let mut procedure = StaticGeneral::new(scene, self.step.controls, solver)
             .map_err(|reject| self.failure(0.0, explain(&reject, self.terms), help(&reject)))?;
-        let plan = Plan::of(self.terms, self.step, prescribed, procedure.cost(), &free);
+        let matrix = procedure.pattern().zip(procedure.cost()).map(|(pattern, cost)| Matrix::of(pattern, cost));
+        let plan = Plan::of(self.terms, self.step, prescribed, matrix, &free);
         let period = self.step.increments.period;
         self.observer.event(Event::Step { number: self.number, plan: &plan, period });
         let mut size = IncrementSize::new(self.step.increments, self.step.controls);

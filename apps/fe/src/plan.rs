@@ -4,6 +4,7 @@ use crate::approach::{FreeBody, in_words};
 use crate::terms::Terms;
 use fe_contact::pair::{Discretization, Pair};
 use fe_core::linear::Cost;
+use fe_core::matrix::Pattern;
 use fe_core::term::Term;
 use fe_io::model::Step;
 use std::fmt;
@@ -23,9 +24,52 @@ pub struct Plan {
     pub leaves_out: Vec<String>,
 }
 
+/// What the matrix of a step takes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Matrix {
+    /// Of its factorisation.
+    pub cost: Cost,
+    /// Memory of its values [bytes].
+    pub values: usize,
+    /// Memory of its pattern [bytes].
+    pub pattern: usize,
+}
+
+/// Matrices that stand side by side where terms are not linear: the stiffness of the linear terms, the tangent, and the
+/// one that was factored last, which tells whether the tangent changed.
+const MATRICES: usize = 3;
+
+impl Matrix {
+    /// With this pattern.
+    pub fn of(pattern: &Pattern, cost: Cost) -> Self {
+        Matrix { cost, values: 8 * pattern.values(), pattern: pattern.bytes() }
+    }
+
+    /// How many there are.
+    fn count(terms: &Terms) -> usize {
+        if terms.all().iter().all(|term| term.is_linear()) { 1 } else { MATRICES }
+    }
+
+    /// Memory of matrices, pattern and factor [bytes]. The fronts at work come on top, and go again.
+    pub fn memory(&self, terms: &Terms) -> usize {
+        8 * self.cost.factor_entries + Self::count(terms) * self.values + self.pattern
+    }
+
+    fn in_words(&self, terms: &Terms) -> [(String, String); 2] {
+        let factor = size(8 * self.cost.factor_entries);
+        let [work, again] = [self.cost.flops, self.cost.flops_again].map(|flops| 1e-9 * flops);
+        let changes = if again > 0.0 { format!(", {again:.3} where contact has changed") } else { "".into() };
+        let matrix = format!("symmetric positive definite; factor {factor}, {work:.3} Gflop{changes}");
+        let (all, count) = (size(self.memory(terms)), Self::count(terms));
+        let (values, pattern) = (size(self.values), size(self.pattern));
+        let memory = format!("about {all}: factor {factor}, matrix {count} × {values}, pattern {pattern}");
+        [("matrix".into(), matrix), ("memory".into(), memory)]
+    }
+}
+
 impl Plan {
-    /// Of a step with so many prescribed freedoms and loads; `cost` of its factorisation where there is a matrix.
-    pub fn of(terms: &Terms, step: &Step, prescribed: usize, cost: Option<Cost>, free: &[FreeBody]) -> Self {
+    /// Of a step with so many prescribed freedoms; `matrix` where there is one.
+    pub fn of(terms: &Terms, step: &Step, prescribed: usize, matrix: Option<Matrix>, free: &[FreeBody]) -> Self {
         let freedoms = &terms.freedoms;
         let unknowns = freedoms.len() - prescribed;
         let mut needs = Vec::new();
@@ -38,17 +82,20 @@ impl Plan {
             needs.push(("solids".into(), format!("{count} {element} of {}, linear", material.name)));
         }
         needs.push(("unknowns".into(), format!("{unknowns}, and {prescribed} prescribed freedoms")));
-        if let Some(cost) = cost {
-            let memory = 8e-6 * cost.factor_entries as f64;
-            let [work, again] = [cost.flops, cost.flops_again].map(|flops| 1e-9 * flops);
-            let changes = if again > 0.0 { format!(", {again:.3} where contact has changed") } else { "".into() };
-            needs.push((
-                "matrix".into(),
-                format!("symmetric positive definite; factor {memory:.1} MB, {work:.3} Gflop{changes}"),
-            ));
-        }
+        needs.extend(matrix.iter().flat_map(|matrix| matrix.in_words(terms)));
         for pair in &terms.pairs {
             needs.push(("contact pair".into(), pair_in_words(pair)));
+        }
+        let searched: Vec<usize> = terms.pairs.iter().filter_map(|pair| pair.summary().searched).collect();
+        if !searched.is_empty() {
+            needs.push((
+                "search".into(),
+                format!("{} facets, once before the first step", searched.iter().sum::<usize>()),
+            ));
+        }
+        let history: usize = terms.all().iter().map(|term| term.history()).sum();
+        if history > 0 {
+            needs.push(("history".into(), format!("{history} numbers, a status for each point")));
         }
         for body in free {
             let body_of = &terms.bodies[body.body];
@@ -65,6 +112,11 @@ impl Plan {
         let matrix = self.needs.iter().find(|n| n.0 == "matrix").map(|n| n.1.as_str());
         format!("{} unknowns, {}", self.unknowns, matrix.unwrap_or("no matrix"))
     }
+}
+
+/// Memory [bytes] in words.
+fn size(bytes: usize) -> String {
+    if bytes < 1_000_000 { format!("{:.1} kB", 1e-3 * bytes as f64) } else { format!("{:.1} MB", 1e-6 * bytes as f64) }
 }
 
 /// A pair, its constraint and its stiffness with units.
@@ -94,7 +146,7 @@ fn leaves_out(terms: &Terms, unknowns: usize) -> Vec<String> {
     if terms.pairs.is_empty() {
         out.push("contact: no pair".into());
     } else {
-        if terms.pairs.iter().all(|p| p.has_rigid_main()) {
+        if terms.pairs.iter().all(|p| p.summary().searched.is_none()) {
             out.push("contact search: every main surface is rigid".into());
         }
         out.push("multipliers: a penalty or a law carries the contact".into());
@@ -103,7 +155,9 @@ fn leaves_out(terms: &Terms, unknowns: usize) -> Vec<String> {
     if terms.pairs.iter().all(|p| p.history() == 0) {
         out.push("history: no term has a state".into());
     }
-    out.push("stiffness of the solids per iteration: they are linear, it is assembled once".into());
+    if unknowns > 0 {
+        out.push("stiffness of the solids per iteration: they are linear, it is assembled once".into());
+    }
     out.push("mass and velocity: the step is static".into());
     out
 }

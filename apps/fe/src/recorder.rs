@@ -176,7 +176,7 @@ fn sections_of_cells(terms: &Terms) -> Vec<u32> {
 }
 
 /// The fields that any step asks for; all that make sense where none chooses. No contact field without a pair.
-fn chosen_fields(model: &Model, terms: &Terms) -> Vec<FieldInfo> {
+pub fn chosen_fields(model: &Model, terms: &Terms) -> Vec<FieldInfo> {
     let wanted = |field: &FieldInfo| {
         model.steps.iter().any(|step| match &step.output.fields {
             None => true,

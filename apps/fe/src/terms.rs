@@ -9,12 +9,13 @@ use fe_core::solid::SolidBlock;
 use fe_core::structure::Structure;
 use fe_core::term::Term;
 use fe_io::Model;
+use std::sync::Arc;
 use std::time::Instant;
 
 /// The terms of a job, and the structure they act on.
 pub struct Terms {
-    /// Bodies as they are after strain-free adjustment.
-    pub structure: Structure,
+    /// Bodies as they are after strain-free adjustment: the model's own where nothing was moved.
+    pub structure: Arc<Structure>,
     /// Freedoms of all nodes.
     pub freedoms: Freedoms,
     /// One block for each section.
@@ -33,13 +34,16 @@ impl Terms {
     /// Builds them; a fault is told with its place in the deck.
     pub fn new(model: &Model) -> Result<Self, String> {
         let start = Instant::now();
-        let mut structure = model.structure.clone();
+        let mut structure = Arc::clone(&model.structure);
         let mut notes = Vec::new();
         let place = |k: usize| format!("{}:{}", model.pairs[k].1.file, model.pairs[k].1.line);
         let definitions: Vec<PairDefinition> = model.pairs.iter().map(|(d, _)| d.clone()).collect();
         let moves = adjust(&structure, &definitions, &model.interactions).map_err(|e| e.to_string())?;
         notes.extend(adjustments(&moves, &definitions));
-        moves.iter().for_each(|m| structure.mesh.points[m.node as usize] = m.to);
+        if !moves.is_empty() {
+            let points = &mut Arc::make_mut(&mut structure).mesh.points;
+            moves.iter().for_each(|m| points[m.node as usize] = m.to);
+        }
         let freedoms = structure.freedoms(&model.references);
         let mut pairs = Vec::new();
         for (k, (definition, _)) in model.pairs.iter().enumerate() {

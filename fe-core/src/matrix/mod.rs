@@ -20,7 +20,7 @@ pub struct BlockMatrix {
 impl BlockMatrix {
     /// All zero.
     pub fn zero(pattern: Arc<Pattern>) -> Self {
-        let values = vec![0.0; pattern.value_start[pattern.columns.len()]];
+        let values = vec![0.0; pattern.values()];
         BlockMatrix { pattern, values }
     }
 

@@ -104,6 +104,16 @@ impl Pattern {
         self.row_start.len() - 1
     }
 
+    /// Numbers that a matrix of this pattern holds.
+    pub fn values(&self) -> usize {
+        self.value_start[self.columns.len()]
+    }
+
+    /// Memory of the pattern itself [bytes]; the freedoms, which the scene has in any case, are left out.
+    pub fn bytes(&self) -> usize {
+        size_of_val(&*self.row_start) + size_of_val(&*self.columns) + size_of_val(&*self.value_start)
+    }
+
     /// Index of block (i, j), `j ≤ i`, if it exists.
     pub fn block(&self, i: u32, j: u32) -> Option<usize> {
         let row = self.row_start[i as usize]..self.row_start[i as usize + 1];

@@ -5,7 +5,7 @@ use super::system::{Evaluation, Scene, System, dot};
 use super::{Converged, Convergence, Energy, Procedure, Seconds};
 use crate::increment::Attempt;
 use crate::linear::{Cost, LinearSolver};
-use crate::matrix::BlockMatrix;
+use crate::matrix::{BlockMatrix, Pattern};
 use crate::reject::Reject;
 use crate::step::Controls;
 use crate::term::Motion;
@@ -62,6 +62,11 @@ impl<'a> StaticGeneral<'a> {
     /// What one factorisation costs; `None` where there is no matrix.
     pub fn cost(&self) -> Option<Cost> {
         self.system.linear.as_ref().map(|_| self.solver.cost())
+    }
+
+    /// Which blocks the matrix has; `None` where there is no matrix.
+    pub fn pattern(&self) -> Option<&Pattern> {
+        self.system.linear.as_ref().map(|linear| &*linear.pattern)
     }
 
     /// Factorisations made so far.

@@ -29,6 +29,7 @@ use amplitudes::Amplitudes;
 use fe_contact::law::Laws;
 use interactions::Interactions;
 use scene::Scene;
+use std::sync::Arc;
 use steps::{InForce, Named};
 use supports::Supports;
 
@@ -79,7 +80,7 @@ pub fn resolve(deck: &Deck, library: &Library) -> Result<Model, Diagnostics> {
     references.dedup();
     Ok(Model {
         heading: heading(&entries, deck),
-        structure: scene.structure,
+        structure: Arc::new(scene.structure),
         amplitudes: amplitudes.list,
         interactions: interactions.list,
         pairs: contact_pairs,
