@@ -59,7 +59,7 @@ fn each_scene_has_the_plan_beside_it() {
 }
 
 fn model(name: &str) -> Model {
-    let deck = Deck::read(&folder().join(format!("{name}.inp"))).unwrap();
+    let deck = Deck::read(folder().join(format!("{name}.inp"))).unwrap();
     resolve(&deck, &fe::standard()).unwrap()
 }
 
