@@ -1,8 +1,10 @@
 //! What a problem is: a scene at any refinement, and the errors of what was computed of it.
 
 use fe_core::element::ElementType;
+use fe_core::material::{Elastic, Material};
+use fe_core::{Section, Structure};
 use fe_io::results::read::{Table, tables};
-use fe_mesh::{Mesh, gmsh};
+use fe_mesh::{CellBlock, Mesh, gmsh};
 use std::io;
 use std::path::{Path, PathBuf};
 
@@ -100,6 +102,21 @@ impl Scene {
         let path = folder.join(format!("{name}.inp"));
         std::fs::write(&path, deck)?;
         Ok(path)
+    }
+
+    /// Mesh and sections as the program builds them, of one material and thickness 1: what errors are integrated over.
+    pub fn structure(&self, elastic: Elastic) -> Structure {
+        let section = |&(set, element): &(&str, ElementType)| {
+            let cells = self.mesh.cell_sets[set].clone();
+            Section { element, cells, material: 0, thickness: 1.0 }
+        };
+        let of_kind = |block: &CellBlock| self.elements.iter().map(|(_, e)| *e).find(|e| e.kind() == block.kind);
+        Structure {
+            mesh: self.mesh.clone(),
+            elements: self.mesh.blocks.iter().filter_map(of_kind).collect(),
+            materials: vec![Material { name: "M".into(), elastic, density: None }],
+            sections: self.elements.iter().map(section).collect(),
+        }
     }
 }
 

@@ -65,7 +65,7 @@ pub fn study(problem: &dyn Problem, options: &Options, out: &mut dyn Write) -> R
         "{}; commit {}; {} threads; medians of {} runs\n",
         origin.machine, origin.commit, options.threads, options.runs
     )?;
-    write!(out, "{:<16}{:>6}{:>10}", "curve", "n", "unknowns")?;
+    write!(out, "{:<24}{:>6}{:>10}", "curve", "n", "unknowns")?;
     problem.norms().iter().try_for_each(|norm| write!(out, "{:>14}", norm.name))?;
     writeln!(out, "{:>10}{:>10}{:>9}", "wall s", "cpu s", "MB")?;
     let mut rows = Vec::new();
@@ -102,7 +102,7 @@ pub fn study(problem: &dyn Problem, options: &Options, out: &mut dyn Write) -> R
 /// The medians of the runs of one scene.
 fn print_scene(out: &mut dyn Write, rows: &[Row]) -> std::io::Result<()> {
     let Some(first) = rows.first() else { return Ok(()) };
-    write!(out, "{:<16}{:>6}{:>10}", first.curve, first.n, first.unknowns)?;
+    write!(out, "{:<24}{:>6}{:>10}", first.curve, first.n, first.unknowns)?;
     first.errors.iter().try_for_each(|error| write!(out, "{error:>14.3e}"))?;
     let cost = medians(rows);
     writeln!(out, "{:>10.3}{:>10.3}{:>9.0}", cost.wall, cost.cpu, 1e-6 * cost.memory)

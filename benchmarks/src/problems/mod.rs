@@ -1,14 +1,25 @@
 //! Problems with known answers: geometry at any refinement, deck and mesh as a user would write them, and the answer.
 
 pub mod cantilever;
+mod contact_area;
 pub mod cylinder;
 mod grading;
+pub mod hertz_ball;
+pub mod hertz_line;
+mod octant;
+pub mod thick_sphere;
 
 pub use crate::problem::Problem;
 
 /// All problems.
 pub fn all() -> Vec<Box<dyn Problem>> {
-    vec![Box::new(cantilever::Cantilever), Box::new(cylinder::Cylinder)]
+    vec![
+        Box::new(cantilever::Cantilever),
+        Box::new(cylinder::Cylinder),
+        Box::new(hertz_ball::HertzBall),
+        Box::new(hertz_line::HertzLine),
+        Box::new(thick_sphere::ThickSphere),
+    ]
 }
 
 /// The problem of a name; the error lists the names there are.
