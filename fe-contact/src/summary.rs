@@ -33,6 +33,15 @@ impl MeasureKind {
         }
     }
 
+    /// Its dimension.
+    pub fn dimension(self) -> &'static str {
+        match self {
+            MeasureKind::Pressure => "F/L²",
+            MeasureKind::ForcePerLength => "F/L",
+            MeasureKind::Force => "F",
+        }
+    }
+
     /// Dimension of a stiffness against the gap.
     pub fn stiffness_dimension(self) -> &'static str {
         match self {

@@ -26,11 +26,19 @@ pub enum LawFault {
         /// −Δp/Δg.
         slope: f64,
     },
-    /// A number that is not finite, a negative pressure, energy or stiffness.
-    #[error("at a gap of {gap:e} energy, pressure or stiffness is negative or not finite")]
+    /// A number that is not finite, a negative pressure or energy.
+    #[error("at a gap of {gap:e} energy or pressure is negative, or a number not finite")]
     Sign {
         /// Gap [L].
         gap: f64,
+    },
+    /// A negative stiffness.
+    #[error("at a gap of {gap:e} the stiffness is negative: {stiffness:e}")]
+    Softens {
+        /// Gap [L].
+        gap: f64,
+        /// k.
+        stiffness: f64,
     },
     /// Not zero beyond the reach.
     #[error("at a gap of {gap:e}, beyond the reach {reach:e}, the law is not zero")]
@@ -49,8 +57,8 @@ const BOUND: f64 = 1e-5;
 
 /// Checks a law over a range of gaps [L] by central differences in the middle of 200 intervals, with a step of 1e-4 of
 /// an interval: truncation is of order (step / curvature length)², round-off 1e-16 over the relative step 5e-7. Both
-/// are below the bound of 1e-5 of the largest value. An interval that holds the reach, where a law may have a kink,
-/// is not compared by slope.
+/// are below the bound of 1e-5 of the largest value. Intervals that hold the reach or a kink that the law names, and
+/// their neighbours, are not compared by slope.
 pub fn law(law: &dyn NormalLaw, range: Range<f64>) -> Result<(), LawFault> {
     let width = (range.end - range.start) / INTERVALS as f64;
     let step = 1e-4 * width;
@@ -60,16 +68,21 @@ pub fn law(law: &dyn NormalLaw, range: Range<f64>) -> Result<(), LawFault> {
     };
     let (pressures, stiffnesses) = (largest(|r| r.pressure), largest(|r| r.stiffness));
     let reach = law.reach();
+    let mut kinks = law.kinks(range);
+    kinks.push(reach);
     for &gap in &gaps {
         let at = law.respond(gap);
         let numbers = [at.energy, at.pressure, at.stiffness];
-        if numbers.iter().any(|&v| !v.is_finite() || v < 0.0) {
+        if numbers.iter().any(|&v| !v.is_finite()) || at.energy < 0.0 || at.pressure < 0.0 {
             return Err(LawFault::Sign { gap });
+        }
+        if at.stiffness < 0.0 {
+            return Err(LawFault::Softens { gap, stiffness: at.stiffness });
         }
         if gap > reach && numbers != [0.0; 3] {
             return Err(LawFault::Reach { gap, reach });
         }
-        if (gap - reach).abs() <= width {
+        if kinks.iter().any(|kink| (gap - kink).abs() <= width) {
             continue;
         }
         let (low, high) = (law.respond(gap - step), law.respond(gap + step));
@@ -94,8 +107,11 @@ mod tests {
     #[test]
     fn every_law_keeps_its_word() {
         for definition in Laws::standard().0 {
-            let data: Vec<f64> = definition.data.iter().map(|d| d.default.unwrap_or(d.above + 3.0)).collect();
-            law(&*(definition.build)(&data), -1.0..1.0).unwrap();
+            assert_eq!(definition.example.len() % definition.data.len(), 0, "{}", definition.keyword);
+            let example = (definition.build)(definition.example).unwrap();
+            law(&*example, -1.0..1.0).unwrap();
+            // The part where it begins, which a stiff law hides in the whole.
+            law(&*example, -0.1..example.reach() + 0.1).unwrap();
         }
         for clearance in [0.0, 0.25, -0.1] {
             law(&Linear { slope: 7e5, clearance }, -1.0..1.0).unwrap();
@@ -117,6 +133,8 @@ mod tests {
         assert!(matches!(law(&twice, -1.0..0.5), Err(LawFault::Pressure { .. })));
         let soft = Wrong(|g| NormalResponse { energy: 0.5 * g * g, pressure: -g, stiffness: 0.5 });
         assert!(matches!(law(&soft, -1.0..-0.1), Err(LawFault::Stiffness { .. })));
+        let falling = Wrong(|g| NormalResponse { energy: -g, pressure: 1.0, stiffness: -1.0 });
+        assert!(matches!(law(&falling, -1.0..0.5), Err(LawFault::Softens { .. })));
         let pulling = Wrong(|g| NormalResponse { energy: 0.0, pressure: g, stiffness: 0.0 });
         assert!(matches!(law(&pulling, -1.0..0.5), Err(LawFault::Sign { .. })));
         let far = Wrong(|_| NormalResponse { energy: 1.0, ..Default::default() });

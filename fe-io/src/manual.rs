@@ -6,7 +6,7 @@ use crate::keyword::{
     CARDS, Data, DataLine, Field, Keyword, Kind, Known, Level, Parameter, Repeat, Standing, find, names,
 };
 use crate::keyword::{row::of_law, table::FieldKind};
-use fe_contact::law::Laws;
+use fe_contact::law::{Laws, Lines};
 use std::fmt::Write;
 
 /// All cards, a line each.
@@ -119,7 +119,11 @@ fn data(out: &mut String, card: &Keyword, laws: &Laws) {
             lines.iter().filter(|l| !l.fields.is_empty()).for_each(|l| data_line(out, l));
             if card.parameters.iter().any(|p| matches!(p.kind, Kind::Law(_))) {
                 laws.0.iter().for_each(|law| {
-                    line(out, &format!("\nData line, PRESSURE-OVERCLOSURE={}: {}", law.keyword, law.summary));
+                    let lines = match law.lines {
+                        Lines::One => "Data line".to_owned(),
+                        Lines::AtLeast(least) => format!("Data lines, {least} or more"),
+                    };
+                    line(out, &format!("\n{lines}, PRESSURE-OVERCLOSURE={}: {}", law.keyword, law.summary));
                     law.data.iter().for_each(|datum| field(out, &of_law(datum)));
                     line(out, &format!("  Source: {}", law.source));
                 });

@@ -132,7 +132,7 @@ fn pair_in_words(pair: &Pair) -> String {
             let origin = if p.by_default { "ten times the elements beneath" } else { "as given" };
             format!("hard by penalty, {:.6e} {dimension} ({origin}, scale {})", p.stiffness, p.scale)
         }
-        None => format!("softened, {:?}", pair.law()),
+        None => format!("softened, {}", pair.law().words(s.measure)),
     };
     let (name, points, number) = (pair.name(), s.points, s.measure.words());
     format!("{name}: {how}, {points} points, {law}; the law's number is a {number}")

@@ -1,6 +1,7 @@
 //! The linear law p = k h, h = −g > 0; also a penalty with a clearance.
 
-use super::{Datum, LawDefinition, NormalLaw, NormalResponse};
+use super::{Datum, LawDefinition, Lines, NormalLaw, NormalResponse};
+use crate::summary::MeasureKind;
 use std::sync::Arc;
 
 /// p = k (c − g) for g < c, else 0.
@@ -24,6 +25,10 @@ impl NormalLaw for Linear {
     fn reach(&self) -> f64 {
         self.clearance
     }
+
+    fn words(&self, number: MeasureKind) -> String {
+        format!("LINEAR, slope {} [{}]", self.slope, number.stiffness_dimension())
+    }
 }
 
 /// As decks name it.
@@ -31,12 +36,8 @@ pub const DEFINITION: LawDefinition = LawDefinition {
     keyword: "LINEAR",
     summary: "p = k h for an overclosure h > 0",
     source: "Abaqus Analysis User's Manual, Contact pressure-overclosure relationships",
-    data: &[Datum {
-        name: "slope",
-        dimension: "F/L³",
-        meaning: "slope k of the pressure-overclosure curve",
-        default: None,
-        above: 0.0,
-    }],
-    build: |data| Arc::new(Linear { slope: data[0], clearance: 0.0 }),
+    data: &[Datum::positive("slope", "F/L³", "slope k of the pressure-overclosure curve")],
+    lines: Lines::One,
+    example: &[4000.0],
+    build: |data| Ok(Arc::new(Linear { slope: data[0], clearance: 0.0 })),
 };

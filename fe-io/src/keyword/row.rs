@@ -113,8 +113,8 @@ fn wrong(field: &Field, token: Token<'_>) -> Option<Diagnostic> {
 
 /// The field of a law's number.
 pub fn of_law(datum: &Datum) -> Field {
-    let field = Field::number(datum.name, datum.dimension, datum.meaning).above(datum.above);
-    if datum.default.is_some() { field.or("see the manual of the law") } else { field }
+    let field = Field::number(datum.name, datum.dimension, datum.meaning).above(datum.above).least(datum.least);
+    datum.default.map_or(field, |(_, blank)| field.or(blank))
 }
 
 #[cfg(test)]

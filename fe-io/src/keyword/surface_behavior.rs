@@ -8,8 +8,6 @@ pub const SURFACE_BEHAVIOR: Keyword = Keyword {
         Parameter::of(
             "PRESSURE-OVERCLOSURE",
             Kind::Law(&[
-                Choice::not_yet("EXPONENTIAL", "LINEAR is there"),
-                Choice::not_yet("TABULAR", "LINEAR is there"),
                 Choice::not_yet("SCALE FACTOR", "LINEAR is there"),
                 Choice::not_yet("TIED", "give both sides common nodes"),
                 Choice::not_yet("HERTZ", "it is for discrete elements"),
@@ -30,7 +28,12 @@ pub const SURFACE_BEHAVIOR: Keyword = Keyword {
         Parameter::not_yet("DIRECT", "say `*SURFACE BEHAVIOR, PENALTY`"),
         Parameter::flag("NO SEPARATION", "not there yet: surfaces that closed never open again"),
     ],
-    data: Data::Lines(&[DataLine::optional(PENALTY).when("PENALTY"), DataLine::once(&[]).when("a law: its numbers")]),
+    data: Data::Lines(&[
+        DataLine::optional(PENALTY).when("PENALTY"),
+        DataLine::many(&[]).when("a law: its numbers"),
+        DataLine::once(SCALE_FACTOR)
+            .when("SCALE FACTOR: for general contact in Explicit, checked and refused elsewhere"),
+    ]),
     source: "Abaqus Keywords Reference, *SURFACE BEHAVIOR",
 };
 
@@ -41,4 +44,16 @@ pub const PENALTY: &[Field] = &[
         .above(0.0),
     Field::number("clearance", "L", "clearance c at which the pressure vanishes").or("0"),
     Field::number("scale", "-", "factor f on K").or("1").above(0.0),
+];
+
+/// The data line of the law by scale factors.
+pub const SCALE_FACTOR: &[Field] = &[
+    Field::number("overclosure factor", "-", "length of a piece, as a part of the smallest element in contact")
+        .or("the measure is given")
+        .above(0.0),
+    Field::number("overclosure measure", "L", "length of a piece").or("the factor is given").above(0.0),
+    Field::number("stiffness scale", "-", "factor from the slope of one piece to the next").above(1.0),
+    Field::number("initial scale", "-", "factor on the default contact stiffness for the first slope")
+        .or("1")
+        .above(0.0),
 ];

@@ -9,7 +9,8 @@ use crate::keyword::check::Entry;
 use crate::keyword::row::{Row, of_law};
 use crate::keyword::{self, Field, Known, surface_behavior};
 use fe_contact::interaction::{Enforcement, Interaction, NormalBehavior};
-use fe_contact::law::{LawDefinition, Laws};
+use fe_contact::law::scale_factor::Scaling;
+use fe_contact::law::{Datum, LawDefinition, Laws, Lines};
 
 /// Hard contact by a penalty, as the decks' defaults have it.
 const DEFAULT_PENALTY: Enforcement = Enforcement::Penalty { stiffness: None, clearance: 0.0, scale: 1.0 };
@@ -112,7 +113,12 @@ fn behavior(entry: &Entry<'_>, deck: &Deck, laws: &Laws, diagnostics: &mut Diagn
     let law = overclosure.as_deref().and_then(|word| laws.0.iter().find(|law| keyword::same(law.keyword, word)));
     exclusions(entry, overclosure.as_deref(), diagnostics);
     let behavior = match (&overclosure, law) {
-        (Some(_), None) => return None,
+        (Some(word), None) => {
+            if keyword::same(word, "SCALE FACTOR") {
+                scale_factor(entry, deck, diagnostics);
+            }
+            return None;
+        }
         (Some(_), Some(law)) => softened(entry, deck, law, diagnostics),
         (None, _) => hard(entry, deck, diagnostics),
     };
@@ -154,23 +160,74 @@ fn softened(
     diagnostics: &mut Diagnostics,
 ) -> Option<NormalBehavior> {
     let fields: Vec<Field> = law.data.iter().map(of_law).collect();
-    let mut lines = deck.lines(entry.card);
-    let data = match lines.next() {
-        Some(line) => {
-            let row = Row::read(line, &fields, diagnostics);
-            let values = law.data.iter().enumerate().map(|(i, datum)| row.number(i).or(datum.default));
-            values.collect::<Option<Vec<f64>>>().filter(|_| row.sound)?
-        }
-        None if fields.iter().any(|field| field.required) => {
-            let wanted: Vec<&str> = fields.iter().map(|field| field.name).collect();
-            let fault = Diagnostic::error(entry.card.span, format!("law `{}` needs a data line", law.keyword));
-            diagnostics.push(fault.help(format!("write: {}", wanted.join(", "))));
-            return None;
-        }
-        None => law.data.iter().filter_map(|datum| datum.default).collect(),
+    let (least, most) = match law.lines {
+        Lines::One => (usize::from(fields.iter().any(|field| field.required)), 1),
+        Lines::AtLeast(least) => (least, usize::MAX),
     };
+    let mut lines = deck.lines(entry.card);
+    let rows: Vec<Row> = lines.by_ref().take(most).map(|line| Row::read(line, &fields, diagnostics)).collect();
     too_many(lines.next(), diagnostics);
-    Some(NormalBehavior::Softened((law.build)(&data)))
+    if rows.len() < least {
+        let wanted: Vec<&str> = fields.iter().map(|field| field.name).collect();
+        let (needs, wanted) = match law.lines {
+            Lines::One => ("a data line".into(), wanted.join(", ")),
+            Lines::AtLeast(_) => (format!("{least} data lines or more"), wanted.join(", ") + " in each"),
+        };
+        let fault = Diagnostic::error(entry.card.span, format!("law `{}` needs {needs}", law.keyword));
+        diagnostics.push(fault.help(format!("write: {wanted}")));
+        return None;
+    }
+    let mut data: Vec<f64> = Vec::new();
+    for row in &rows {
+        data.extend(numbers(row, law, diagnostics)?);
+    }
+    if rows.is_empty() {
+        data.extend(law.data.iter().filter_map(|datum| datum.default).map(|(value, _)| value));
+    }
+    let built = (law.build)(&data).map_err(|fault| Diagnostic::error(entry.card.span, of_the(law, &fault)));
+    let built = built.map_err(|fault| diagnostics.push(fault)).ok()?;
+    for remark in built.remarks() {
+        diagnostics.push(Diagnostic::warning(entry.card.span, of_the(law, &remark)));
+    }
+    Some(NormalBehavior::Softened(built))
+}
+
+fn of_the(law: &LawDefinition, words: &str) -> String {
+    format!("law `{}`: {words}", law.keyword)
+}
+
+/// The numbers of a line; those for Explicit alone are remarked and left at their default, as every step is static.
+fn numbers(row: &Row<'_>, law: &LawDefinition, diagnostics: &mut Diagnostics) -> Option<Vec<f64>> {
+    let number = |(i, datum): (usize, &Datum)| {
+        let default = datum.default.map(|(value, _)| value);
+        match row.token(i) {
+            Some(token) if datum.explicit => {
+                let title = format!("the {} of law `{}` has an effect in Explicit only", datum.name, law.keyword);
+                diagnostics.push(Diagnostic::note(token.span, title).label("static steps leave it out"));
+                default
+            }
+            _ => row.number(i).or(default),
+        }
+    };
+    row.sound.then(|| law.data.iter().enumerate().map(number).collect())?
+}
+
+/// The data line of a law that was refused by its name: what else is wrong with it is told in the same run.
+fn scale_factor(entry: &Entry<'_>, deck: &Deck, diagnostics: &mut Diagnostics) {
+    let mut lines = deck.lines(entry.card);
+    let Some(line) = lines.next() else {
+        diagnostics.push(Diagnostic::error(entry.card.span, "law `SCALE FACTOR` needs a data line"));
+        return;
+    };
+    let row = Row::read(line, surface_behavior::SCALE_FACTOR, diagnostics);
+    too_many(lines.next(), diagnostics);
+    if !row.sound {
+        return;
+    }
+    let scale = row.number(2).unwrap_or_default();
+    if let Err(fault) = Scaling::new(row.number(0), row.number(1), scale, row.number(3).unwrap_or(1.0)) {
+        diagnostics.push(Diagnostic::error(row.span, format!("law `SCALE FACTOR`: {fault}")));
+    }
 }
 
 fn hard(entry: &Entry<'_>, deck: &Deck, diagnostics: &mut Diagnostics) -> Option<NormalBehavior> {
