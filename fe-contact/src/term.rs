@@ -49,12 +49,12 @@ impl Pair {
     }
 
     /// The law's answer. At the kink, within round-off of the model's size, the point touches: it is closed and
-    /// has the stiffness of the closed side, so that a body that just touches is held.
+    /// has the stiffness of the closed side, or one of that size, so that a body that just touches is held.
     pub fn respond(&self, gap: f64) -> (NormalResponse, ContactStatus) {
         let kink = self.law.reach();
         let mut answer = self.law.respond(gap);
         if (gap - kink).abs() <= self.touch {
-            answer.stiffness = answer.stiffness.max(self.law.respond(kink).stiffness);
+            answer.stiffness = answer.stiffness.max(self.law.typical_stiffness());
         }
         let closed = gap <= kink + self.touch;
         (answer, if closed { ContactStatus::Closed } else { ContactStatus::Open })

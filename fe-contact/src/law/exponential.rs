@@ -97,6 +97,11 @@ impl NormalLaw for Exponential {
         self.clearance
     }
 
+    /// p₀/c₀: its slope at first touch is 0.
+    fn typical_stiffness(&self) -> f64 {
+        self.pressure / self.clearance
+    }
+
     fn words(&self, number: MeasureKind) -> String {
         let (c, p, from) = (self.clearance, self.pressure, self.straight_from());
         let limit =

@@ -38,6 +38,12 @@ pub trait NormalLaw: Debug + Send + Sync {
         Vec::new()
     }
 
+    /// A stiffness [F/L³] of its size: what Newton's method takes where contact holds a body and the law itself has
+    /// none, at first touch or on a plateau.
+    fn typical_stiffness(&self) -> f64 {
+        self.respond(self.reach()).stiffness
+    }
+
     /// Itself with its numbers and their units, in a line.
     fn words(&self, _number: MeasureKind) -> String {
         format!("{self:?}")
@@ -105,6 +111,9 @@ pub enum Lines {
     AtLeast(usize),
 }
 
+/// A law, or what is wrong with its numbers.
+pub type Built = Result<Arc<dyn NormalLaw>, String>;
+
 /// A law as decks name it.
 #[derive(Clone, Copy, Debug)]
 pub struct LawDefinition {
@@ -122,7 +131,7 @@ pub struct LawDefinition {
     pub example: &'static [f64],
     /// Builds the law from the numbers, line after line, each already checked against `data`; what is wrong with them
     /// together is said.
-    pub build: fn(&[f64]) -> Result<Arc<dyn NormalLaw>, String>,
+    pub build: fn(&[f64]) -> Built,
 }
 
 /// The laws that decks may name.

@@ -89,6 +89,11 @@ impl NormalLaw for Tabular {
         self.points[1..].iter().map(|p| -p.overclosure).filter(|g| range.contains(g)).collect()
     }
 
+    /// The first slope by which the pressure rises.
+    fn typical_stiffness(&self) -> f64 {
+        self.points.iter().map(|p| p.slope).find(|slope| *slope > 0.0).unwrap_or(0.0)
+    }
+
     fn words(&self, number: MeasureKind) -> String {
         let points: Vec<String> = self.points.iter().map(|p| format!("{} at {}", p.pressure, p.overclosure)).collect();
         let last = self.points[self.points.len() - 1].slope;
