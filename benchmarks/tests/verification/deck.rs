@@ -31,8 +31,8 @@ static RUNS: AtomicUsize = AtomicUsize::new(0);
 
 /// Runs a mesh of one element type with these cards in a folder of its own.
 pub fn run(name: &str, element: ElementType, mesh: Mesh, cards: &str) -> Solution {
-    let folder =
-        Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("{name}_{}", RUNS.fetch_add(1, Ordering::Relaxed)));
+    let number = RUNS.fetch_add(1, Ordering::Relaxed);
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("verification").join(format!("{name}_{number}"));
     let elements = vec![("BLOCK", element)];
     let scene = Scene { name: "job".into(), mesh, elements, cards: cards.into(), unknowns: 0 };
     let deck = scene.write(&folder, MeshFile::Gmsh).unwrap();

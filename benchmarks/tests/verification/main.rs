@@ -11,3 +11,4 @@ mod rates;
 mod smooth;
 mod sphere;
 mod vessel;
+mod window;

@@ -20,6 +20,10 @@ const ROUND_OFF: f64 = 16.0 * f64::EPSILON;
 /// than this part of its size at the start.
 const OVERSHOOT: f64 = 0.5;
 
+/// A step falls short when no contact changed status on it and the residual along it keeps more than this part of its
+/// size: a point within round-off of touching has the stiffness of the closed side, which may hold back one that leaves.
+const UNDERSHOOT: f64 = 0.9;
+
 /// Most evaluations of one line search.
 const SEARCHES: usize = 16;
 
@@ -124,7 +128,7 @@ impl<'a> StaticGeneral<'a> {
         Ok((delta, slope))
     }
 
-    /// Goes along `delta`: all of it, unless the residual along it changes sign by too much. The potential of a
+    /// Goes along `delta`: all of it, unless the residual along it changes sign by too much, or hardly falls. The potential of a
     /// convex problem falls along a Newton step, so its slope has one zero. Newton's method finds it, between bounds
     /// that close in: from the stiff side, where contact has closed, it lands near the kink at once. Returns the
     /// part of `delta` taken and the evaluation there.
@@ -147,9 +151,15 @@ impl<'a> StaticGeneral<'a> {
             let now = self.evaluate(step, u, &mut history)?;
             let here = dot(delta, &now.residual);
             let short = here < -enough && high.is_finite();
-            if slope >= 0.0 || (here <= enough && !short) || searched == SEARCHES {
+            let held_back = now.status_changes == 0 && high.is_infinite() && here < -UNDERSHOOT * slope.abs();
+            if slope >= 0.0 || (here <= enough && !short && !held_back) || searched == SEARCHES {
                 *new = history;
                 return Ok((length, now));
+            }
+            if held_back {
+                low = length;
+                length *= 2.0;
+                continue;
             }
             *(if short { &mut low } else { &mut high }) = length;
             let curvature = self.tangent(&now).map_or(0.0, |tangent| {
