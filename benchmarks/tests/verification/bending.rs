@@ -26,7 +26,7 @@ enum Shape {
 fn straight(element: ElementType, shape: Shape) -> Mesh {
     let lean = |station: f64| match shape {
         Shape::Rectangles => 0.0,
-        _ if station < 0.5 || station > 5.5 => 0.0,
+        _ if !(0.5..=5.5).contains(&station) => 0.0,
         Shape::Parallelograms => 1.0,
         // Between stations, where middle nodes are, the lean changes over.
         Shape::Trapezoids => (std::f64::consts::PI * (station - 0.5)).sin(),

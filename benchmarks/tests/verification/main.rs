@@ -1,11 +1,11 @@
 //! Verification: problems with known answers, run as a user runs them, deck and mesh through the program's entry.
 //! Each test bears the name of its case.
-#![allow(clippy::unwrap_used, non_snake_case)]
+//! Its figures are told as it goes (`--nocapture` shows them all).
+#![allow(clippy::unwrap_used, clippy::print_stderr, non_snake_case)]
 
 mod bending;
 mod bodies;
 mod deck;
-
 mod patch;
 mod rates;
 mod smooth;
