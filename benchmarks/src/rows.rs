@@ -40,7 +40,7 @@ pub fn write(path: &Path, origin: &Origin, norms: &[Norm], rows: &[Row]) -> io::
         // Writing to a string does not fail.
         let _ = write!(
             text,
-            "{curve},{n},{unknowns},{version},{},\"{}\",{threads},{run},{:.4},{:.4},{:.0}",
+            "\"{curve}\",{n},{unknowns},{version},{},\"{}\",{threads},{run},{:.4},{:.4},{:.0}",
             origin.commit, origin.machine, cost.wall, cost.cpu, cost.memory
         );
         errors.iter().for_each(|error| text.push_str(&format!(",{error:.6e}")));

@@ -5,7 +5,7 @@ use crate::machine::Origin;
 use crate::measure;
 use crate::peer::Solver;
 use crate::plot::{Line, Panel, Plot};
-use crate::problem::{Answer, Curve, MeshFile, Problem, Scene};
+use crate::problem::{Answer, Curve, MeshFile, Norm, Problem, Scene};
 use crate::rows::{Row, median};
 use std::error::Error;
 use std::io::Write;
@@ -66,7 +66,7 @@ pub fn study(problem: &dyn Problem, options: &Options, out: &mut dyn Write) -> R
         origin.machine, origin.commit, options.threads, options.runs
     )?;
     write!(out, "{:<24}{:>6}{:>10}", "curve", "n", "unknowns")?;
-    problem.norms().iter().try_for_each(|norm| write!(out, "{:>14}", norm.name))?;
+    problem.norms().iter().try_for_each(|norm| write!(out, "{:>w$}", norm.name, w = width(norm)))?;
     writeln!(out, "{:>10}{:>10}{:>9}", "wall s", "cpu s", "MB")?;
     let mut rows = Vec::new();
     for curve in problem.curves() {
@@ -86,7 +86,7 @@ pub fn study(problem: &dyn Problem, options: &Options, out: &mut dyn Write) -> R
                     rows.push(Row { cost, errors, command, threads, ..row(&curve.name(), n, &scene, &solver, run) });
                 }
             }
-            print_scene(out, &rows[from..])?;
+            print_scene(out, problem.norms(), &rows[from..])?;
         }
         print_rates(out, problem, &curve, &rows[first..])?;
     }
@@ -100,36 +100,28 @@ pub fn study(problem: &dyn Problem, options: &Options, out: &mut dyn Write) -> R
 }
 
 /// The medians of the runs of one scene.
-fn print_scene(out: &mut dyn Write, rows: &[Row]) -> std::io::Result<()> {
+fn print_scene(out: &mut dyn Write, norms: &[Norm], rows: &[Row]) -> std::io::Result<()> {
     let Some(first) = rows.first() else { return Ok(()) };
     write!(out, "{:<24}{:>6}{:>10}", first.curve, first.n, first.unknowns)?;
-    first.errors.iter().try_for_each(|error| write!(out, "{error:>14.3e}"))?;
+    let mut errors = first.errors.iter().zip(norms);
+    errors.try_for_each(|(error, norm)| write!(out, "{error:>w$.3e}", w = width(norm)))?;
     let cost = medians(rows);
     writeln!(out, "{:>10.3}{:>10.3}{:>9.0}", cost.wall, cost.cpu, 1e-6 * cost.memory)
 }
 
+/// Width of a norm's column.
+fn width(norm: &Norm) -> usize {
+    14.max(norm.name.len() + 2)
+}
+
 /// Rates over the last three meshes, and the work that a percent costs.
 fn print_rates(out: &mut dyn Write, problem: &dyn Problem, curve: &Curve, rows: &[Row]) -> std::io::Result<()> {
-    let scenes = scenes(rows);
     for (index, norm) in problem.norms().iter().enumerate() {
-        let over = |work: &dyn Fn(&[Row]) -> f64| -> Vec<(f64, f64)> {
-            let points = scenes.iter().map(|rows| (work(rows), rows[0].errors[index].abs()));
-            points.filter(|point| point.1 > norm.floor).collect()
-        };
-        let sizes = over(&|rows| rows[0].n as f64);
-        if sizes.len() < 3 {
-            continue;
-        }
-        let last = |points: &[(f64, f64)]| -fit::slope(&points[points.len() - 3..]);
-        let seconds = over(&|rows| medians(rows).cpu);
-        write!(
-            out,
-            "  {} {}: rate {:.2} in n, {:.2} in cpu seconds",
-            curve.name(),
-            norm.name,
-            last(&sizes),
-            last(&seconds)
-        )?;
+        let Some(in_size) = rate(rows, index, norm, &|rows| rows[0].n as f64) else { continue };
+        let seconds = above_floor(rows, index, norm, &|rows| medians(rows).cpu);
+        let in_seconds = rate(rows, index, norm, &|rows| medians(rows).cpu).unwrap_or(f64::NAN);
+        let name = curve.name();
+        write!(out, "  {name} {}: rate {in_size:.2} in n, {in_seconds:.2} in cpu seconds", norm.name)?;
         for percent in [1.0, 0.1, 0.01] {
             if let Some(cost) = fit::work_for(&seconds, 0.01 * percent) {
                 write!(out, "; {percent} % in {cost:.2} s")?;
@@ -140,6 +132,18 @@ fn print_rates(out: &mut dyn Write, problem: &dyn Problem, curve: &Curve, rows: 
     Ok(())
 }
 
+/// (work, error) of the scenes whose error is above the model's own.
+fn above_floor(rows: &[Row], index: usize, norm: &Norm, work: &dyn Fn(&[Row]) -> f64) -> Vec<(f64, f64)> {
+    let points = scenes(rows).into_iter().map(|rows| (work(rows), rows[0].errors[index].abs()));
+    points.filter(|point| point.1 > norm.floor).collect()
+}
+
+/// Rate of the error over the last three of these; `None` of fewer.
+fn rate(rows: &[Row], index: usize, norm: &Norm, work: &dyn Fn(&[Row]) -> f64) -> Option<f64> {
+    let points = above_floor(rows, index, norm, work);
+    Some(-fit::slope(&points[points.len().checked_sub(3)?..]))
+}
+
 /// One plot for each norm.
 fn plots(problem: &dyn Problem, rows: &[Row], origin: &Origin, folder: &Path) -> Result<Vec<PathBuf>, String> {
     let mut paths = Vec::new();
@@ -147,10 +151,11 @@ fn plots(problem: &dyn Problem, rows: &[Row], origin: &Origin, folder: &Path) ->
     for (index, norm) in problem.norms().iter().enumerate() {
         let panel = |work: &'static str, of: &dyn Fn(&[Row]) -> f64| Panel {
             work,
-            lines: problem.curves().iter().map(|curve| line(&curve.name(), rows, index, of)).collect(),
+            lines: problem.curves().iter().map(|curve| line(&curve.name(), rows, (index, norm), of)).collect(),
         };
         let plot = Plot {
-            title: &format!("{}: {}", problem.name(), problem.about()),
+            title: &format!("{}: {}", problem.name(), norm.name),
+            about: problem.about(),
             origin: &foot,
             error: norm.name,
             floor: norm.floor,
@@ -167,10 +172,12 @@ fn plots(problem: &dyn Problem, rows: &[Row], origin: &Origin, folder: &Path) ->
     Ok(paths)
 }
 
-fn line(curve: &str, rows: &[Row], norm: usize, work: &dyn Fn(&[Row]) -> f64) -> Line {
+/// The curve with its rate beside its name.
+fn line(curve: &str, rows: &[Row], (index, norm): (usize, &Norm), work: &dyn Fn(&[Row]) -> f64) -> Line {
     let own: Vec<Row> = rows.iter().filter(|row| row.curve == curve).cloned().collect();
-    let points = scenes(&own).iter().map(|rows| (work(rows), rows[0].errors[norm].abs())).collect();
-    Line { name: curve.into(), points }
+    let points = scenes(&own).iter().map(|rows| (work(rows), rows[0].errors[index].abs())).collect();
+    let rate = rate(&own, index, norm, &|rows| rows[0].n as f64);
+    Line { name: curve.to_string() + &rate.map_or(String::new(), |rate| format!(", rate {rate:.2}")), points }
 }
 
 /// The rows of each scene, which stand together.
