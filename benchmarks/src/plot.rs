@@ -98,6 +98,9 @@ impl Plot<'_> {
         chart
             .configure_mesh()
             .light_line_style(RGBColor(240, 240, 240))
+            // Fewer than ten a decade: powers of ten alone are lines with labels.
+            .x_labels(8)
+            .y_labels(8)
             .x_desc(panel.work)
             .y_desc(self.error)
             .x_label_formatter(&decade)
