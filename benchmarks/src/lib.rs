@@ -5,6 +5,7 @@ pub mod cards;
 pub mod compare;
 pub mod exact;
 pub mod fit;
+pub mod hard;
 pub mod machine;
 pub mod measure;
 pub mod norm;

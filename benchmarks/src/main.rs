@@ -1,12 +1,12 @@
 //! The program: measures problems with known answers.
 
 use benchmarks::study::Options;
-use benchmarks::{compare, measure, problems, study};
+use benchmarks::{compare, hard, measure, problems, study};
 use clap::{Parser, Subcommand};
 use std::error::Error;
 use std::ffi::OsString;
 use std::io::Write;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 /// Speed against error: problems with known answers, run through the same entry as `fe`.
@@ -39,6 +39,14 @@ enum Command {
     Cantilever {
         #[command(flatten)]
         settings: Settings,
+    },
+    /// The hard cases: what happens in each scene, and its error against its bound; status 1 where one failed.
+    Hard {
+        /// Identifiers, say `D07`; all when left out.
+        cases: Vec<String>,
+        /// Folder of decks and results.
+        #[arg(long, default_value = "target/benchmarks/hard")]
+        work: PathBuf,
     },
     /// Run a deck as the program `fe` does.
     #[command(hide = true)]
@@ -104,6 +112,7 @@ fn execute(command: Command) -> Result<ExitCode, Box<dyn Error>> {
         }
         Command::Compare { problems, settings } => compare_all(&problems, &settings.options(), out)?,
         Command::Cantilever { settings } => compare_all(&["cantilever".into()], &settings.options(), out)?,
+        Command::Hard { cases, work } => return hard_cases(&cases, &work, out),
         Command::Fe { arguments } => {
             return Ok(fe::main_with(fe::standard(), std::iter::once("fe".into()).chain(arguments)));
         }
@@ -120,6 +129,13 @@ fn compare_all(names: &[String], options: &Options, out: &mut dyn Write) -> Resu
         compare::compare(&*problem, options, out)?;
     }
     Ok(())
+}
+
+fn hard_cases(names: &[String], work: &Path, out: &mut dyn Write) -> Result<ExitCode, Box<dyn Error>> {
+    match hard::run(&hard::chosen(names)?, work, out)? {
+        0 => Ok(ExitCode::SUCCESS),
+        failed => Err(format!("{failed} scenes failed").into()),
+    }
 }
 
 /// The problems of these names, or all that fit.

@@ -1,0 +1,30 @@
+//! The table of cases, and the cases by topic.
+
+mod edges;
+mod elements;
+mod faults;
+mod flush;
+mod idle;
+mod moved;
+mod order;
+mod overclosure;
+mod units;
+
+use super::Case;
+
+/// All cases that are built, by number.
+pub const CASES: &[Case] = &[
+    Case { id: "D07", name: "initial_overclosure", scenes: overclosure::scenes },
+    Case { id: "D09", name: "edges_and_vertices", scenes: edges::scenes },
+    Case { id: "D15", name: "units", scenes: units::scenes },
+    Case { id: "D16", name: "offset", scenes: moved::offset },
+    Case { id: "D17", name: "rotation", scenes: moved::rotation },
+    Case { id: "D19", name: "conforming_faces", scenes: flush::scenes },
+    Case { id: "D27", name: "bad_elements", scenes: elements::bad },
+    Case { id: "D29", name: "face_counted", scenes: faults::faces },
+    Case { id: "D30", name: "duplicates", scenes: faults::duplicates },
+    Case { id: "D31", name: "empty", scenes: faults::empty },
+    Case { id: "D33", name: "mesh_contrast", scenes: elements::contrast },
+    Case { id: "D35", name: "order", scenes: order::scenes },
+    Case { id: "D40", name: "idle", scenes: idle::scenes },
+];

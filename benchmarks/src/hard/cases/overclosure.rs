@@ -1,0 +1,101 @@
+//! D07: surfaces that lie in each other at the start.
+
+use crate::hard::Scene;
+use crate::hard::deck::Order;
+use crate::hard::finding::{Finding, from_value};
+use crate::hard::patch::{Patch, YOUNG};
+use fe_mesh::Mesh;
+
+/// The patch 4/4 with an overlap.
+fn overlapping(overlap: f64) -> Patch {
+    Patch { overlap, ..Patch::plane(4, 4) }
+}
+
+/// Elements are half a unit wide and high.
+const ELEMENT: f64 = 0.5;
+
+/// Scenes of D07.
+pub fn scenes() -> Vec<Scene> {
+    let mut scenes = Vec::new();
+    for overlap in [1e-14, 1e-9] {
+        scenes.push(tiny(overlap));
+        scenes.push(tiny_under_load(overlap));
+    }
+    scenes.push(resolved(1e-3, false));
+    scenes.push(resolved(0.5 * ELEMENT, true));
+    scenes.push(too_deep("SURFACE TO SURFACE"));
+    scenes.push(too_deep("NODE TO SURFACE"));
+    scenes.push(one_node("NODE TO SURFACE"));
+    scenes.push(one_node("SURFACE TO SURFACE"));
+    scenes.push(Scene::waits("allowed overlap ramped to 0", "CONTACT INTERFERENCE"));
+    scenes.push(Scene::waits("one node beyond HCRIT=", "HCRIT on CONTACT CONTROLS; now it is half a facet"));
+    scenes
+}
+
+/// Held at both ends, a tiny overlap presses as tinily: noise below 1e-10 of E, nothing said.
+fn tiny(overlap: f64) -> Scene {
+    Scene::new(format!("patch 4/4, ends held, overlap {overlap:.0e}"), move |place| {
+        let patch = overlapping(overlap);
+        let run = place.run("patch", &patch.held(&patch.mesh(), Order::AsMade));
+        let found = Finding::converged(&run).measured(&run, |solved| {
+            let expected = patch.pressure_held(solved);
+            let noise = solved.pressures().iter().fold(0.0, |m: f64, p| m.max((p - expected).abs()));
+            vec![(noise / YOUNG, 1e-10)]
+        });
+        found.holds(!run.told(&["overlap"]), format!("round-off is no overlap: {:?}", run.notes))
+    })
+}
+
+/// Under load a tiny overlap is as touching; the displacement of the top lacks what the overlap gives way.
+fn tiny_under_load(overlap: f64) -> Scene {
+    Scene::new(format!("patch 4/4, pressed, overlap {overlap:.0e}"), move |place| {
+        let patch = overlapping(overlap);
+        let run = place.run("patch", &patch.pressed(&patch.mesh(), Order::AsMade));
+        let touching = |e: f64| (e, 1e-10 + overlap / 0.0182);
+        Finding::converged(&run).measured(&run, |solved| patch.errors_pressed(solved).map(touching).to_vec())
+    })
+}
+
+/// Held at both ends, the pressure is that of the strain overlap/height; with a warning where it is large.
+fn resolved(overlap: f64, large: bool) -> Scene {
+    Scene::new(format!("patch 4/4, ends held, overlap {overlap}"), move |place| {
+        let patch = overlapping(overlap);
+        let run = place.run("patch", &patch.held(&patch.mesh(), Order::AsMade));
+        let kind = if large { "warning: " } else { "" };
+        Finding::warned(&run, &[kind, "UP_YMIN", "overlap"])
+            .measured(&run, |solved| vec![(from_value(patch.pressure_held(solved), &solved.pressures()), 1e-10)])
+    })
+}
+
+/// One and a half elements deep: which side is meant cannot be told.
+fn too_deep(kind: &'static str) -> Scene {
+    Scene::new(format!("patch 4/4, 1.5 elements deep, {}", kind.to_lowercase()), move |place| {
+        let patch = Patch { kind, ..overlapping(1.5 * ELEMENT) };
+        let run = place.run("patch", &patch.held(&patch.mesh(), Order::AsMade));
+        Finding::refused(&run, &["node ", "7.5", "UP_YMIN", "LOW_YMAX"])
+    })
+}
+
+/// The inner node of the secondary surface that is moved down, and its label.
+fn moved_node(mesh: &mut Mesh, depth: f64) -> u64 {
+    let side = &mesh.node_sets["UP_YMIN"];
+    let node = side.iter().copied().find(|&n| mesh.points[n as usize][0] == 1.0);
+    let node = node.unwrap_or(side[0]) as usize;
+    mesh.points[node][1] -= depth;
+    mesh.point_labels[node]
+}
+
+/// A single node 0.3 deep, more than half a facet: refused by its name where it stands for itself; where the gap is
+/// averaged around it (two thirds of it, 0.2, at this node), resolved with a warning that names it.
+fn one_node(kind: &'static str) -> Scene {
+    Scene::new(format!("patch 4/4, one node 0.3 deep, {}", kind.to_lowercase()), move |place| {
+        let patch = Patch { kind, ..overlapping(0.0) };
+        let mut mesh = patch.mesh();
+        let label = format!("node {label} ", label = moved_node(&mut mesh, 0.3));
+        let run = place.run("patch", &patch.held(&mesh, Order::AsMade));
+        match kind {
+            "NODE TO SURFACE" => Finding::refused(&run, &[&label, "3.000000e-1", "LOW_YMAX"]),
+            _ => Finding::warned(&run, &["warning: ", &label, "2.000000e-1", "LOW_YMAX"]),
+        }
+    })
+}

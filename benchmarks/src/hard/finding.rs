@@ -1,0 +1,189 @@
+//! What is found in a scene: how it ended, its effort, its error against its bound, and what is wrong with it.
+
+use super::run::{Run, Solved};
+
+/// Head of the table.
+pub const HEAD: &str = "case                       scene                                            outcome                                          incr  cut  iter     error     bound";
+
+/// The end of a scene.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Verdict {
+    /// As it must be.
+    Good,
+    /// Not as it must be.
+    Failed,
+    /// Not there yet.
+    Waits,
+}
+
+/// What is found in a scene.
+#[derive(Clone, Debug, Default)]
+pub struct Finding {
+    outcome: String,
+    waits: bool,
+    /// Increments, cutbacks, iterations.
+    effort: Option<[usize; 3]>,
+    /// Error and bound; of several the worst in proportion.
+    error: Option<(f64, f64)>,
+    faults: Vec<String>,
+}
+
+impl Finding {
+    /// A scene that waits.
+    pub fn waits(needs: &str) -> Self {
+        Finding { outcome: format!("waits: needs {needs}"), waits: true, ..Finding::default() }
+    }
+
+    /// A run that must come to its end.
+    pub fn converged(run: &Run) -> Self {
+        let effort = Some([run.certificates.len(), run.cutbacks, run.iterations]);
+        match &run.ended {
+            Ok(_) => Finding { outcome: "converged".into(), effort, ..Finding::default() },
+            Err(why) => {
+                let faults = vec![format!("it must converge: {why}")];
+                Finding { outcome: first_line(why), effort, faults, ..Finding::default() }
+            }
+        }
+    }
+
+    /// A run that must be refused, with these words in the message and without an increment.
+    pub fn refused(run: &Run, words: &[&str]) -> Self {
+        let effort = Some([run.certificates.len(), run.cutbacks, run.iterations]);
+        let mut found = Finding { effort, ..Finding::default() };
+        match &run.ended {
+            Ok(_) => {
+                found.outcome = "converged".into();
+                found.faults.push("it must be refused".into());
+            }
+            Err(why) => {
+                found.outcome = format!("refused: {}", first_line(why));
+                found = found.holds(!run.panicked, "a panic is no refusal");
+                found = found.holds(run.certificates.is_empty(), "it must be refused before the first increment");
+                for word in words {
+                    found = found.holds(why.contains(word), format!("the message does not say `{word}`: {why}"));
+                }
+            }
+        }
+        found
+    }
+
+    /// A run that comes to its end with a remark that holds these words.
+    pub fn warned(run: &Run, words: &[&str]) -> Self {
+        let mut found = Finding::converged(run);
+        let note = run.notes.iter().find(|note| words.iter().all(|word| note.contains(word)));
+        if run.ended.is_ok() && note.is_some() {
+            found.outcome = "converged, warned".into();
+        }
+        found.holds(note.is_some(), format!("no remark says {words:?}: {:#?}", run.notes))
+    }
+
+    /// Something that must be true, in words for where it is not.
+    pub fn holds(mut self, condition: bool, fault: impl Into<String>) -> Self {
+        if !condition {
+            self.faults.push(fault.into());
+        }
+        self
+    }
+
+    /// An error with its bound; one that is not a number fails.
+    pub fn within(mut self, error: f64, bound: f64) -> Self {
+        let ratio = |(error, bound): (f64, f64)| if error.is_nan() { f64::INFINITY } else { error / bound };
+        if self.error.is_none_or(|before| ratio((error, bound)) > ratio(before)) {
+            self.error = Some((error, bound));
+        }
+        self.holds(error <= bound, format!("error {error:.3e} above its bound {bound:.1e}"))
+    }
+
+    /// Errors of a solved scene; a scene that is not solved has none (and its end is a fault already).
+    pub fn measured(self, run: &Run, errors: impl Fn(&Solved) -> Vec<(f64, f64)>) -> Self {
+        match run.solved() {
+            Some(solved) => errors(&solved).into_iter().fold(self, |found, (error, bound)| found.within(error, bound)),
+            None => self.holds(run.ended.is_err(), "its results cannot be read"),
+        }
+    }
+
+    /// Adds words to the outcome.
+    pub fn say(mut self, words: impl AsRef<str>) -> Self {
+        self.outcome.push_str(", ");
+        self.outcome.push_str(words.as_ref());
+        self
+    }
+
+    /// The worse of two findings of one scene; their faults together.
+    pub fn and(mut self, other: Finding) -> Self {
+        if self.faults.is_empty() && !other.faults.is_empty() {
+            self.outcome = other.outcome;
+        }
+        self.faults.extend(other.faults);
+        match other.error {
+            Some((error, bound)) => self.within_quietly(error, bound),
+            None => self,
+        }
+    }
+
+    /// As [`Finding::within`] where a fault was told already.
+    fn within_quietly(self, error: f64, bound: f64) -> Self {
+        let faults = self.faults.clone();
+        Finding { faults, ..self.within(error, bound) }
+    }
+
+    /// The verdict.
+    pub fn verdict(&self) -> Verdict {
+        match (self.faults.is_empty(), self.waits) {
+            (false, _) => Verdict::Failed,
+            (true, true) => Verdict::Waits,
+            (true, false) => Verdict::Good,
+        }
+    }
+
+    /// What is wrong.
+    pub fn faults(&self) -> &[String] {
+        &self.faults
+    }
+
+    /// The line of the table, with the faults below.
+    pub fn line(&self, case: &str, scene: &str) -> String {
+        let effort = self.effort.map_or(" ".repeat(15), |[i, c, n]| format!("{i:5} {c:4} {n:5}"));
+        let error = self.error.map_or(" ".repeat(19), |(error, bound)| format!("{error:9.1e} {bound:9.1e}"));
+        let verdict = match self.verdict() {
+            Verdict::Good => "ok",
+            Verdict::Failed => "FAILED",
+            Verdict::Waits => "waits",
+        };
+        let outcome = cut(&self.outcome, if self.waits { 83 } else { 48 });
+        let mut line = if self.waits {
+            format!("{case:26} {:48} {outcome:<83}{verdict}", cut(scene, 48))
+        } else {
+            format!("{case:26} {:48} {outcome:<47} {effort} {error}  {verdict}", cut(scene, 48))
+        };
+        for fault in &self.faults {
+            line.push_str("\n    ");
+            line.push_str(&fault.replace('\n', "\n    "));
+        }
+        line
+    }
+}
+
+fn first_line(text: &str) -> String {
+    text.lines().next().unwrap_or_default().trim_start_matches("error: ").to_owned()
+}
+
+fn cut(text: &str, length: usize) -> String {
+    if text.chars().count() <= length { text.into() } else { text.chars().take(length - 1).chain(['…']).collect() }
+}
+
+/// Largest difference of two lists of numbers, over the largest number of the first; infinite where their lengths differ.
+pub fn difference(reference: &[f64], found: &[f64]) -> f64 {
+    if reference.len() != found.len() || reference.is_empty() {
+        return f64::INFINITY;
+    }
+    let size = reference.iter().fold(0.0f64, |m, v| m.max(v.abs()));
+    let worst = reference.iter().zip(found).map(|(a, b)| (a - b).abs());
+    // `max` passes over NaN; here it must be seen.
+    worst.fold(0.0, |m: f64, d| if d.is_nan() || m.is_nan() { f64::NAN } else { m.max(d) }) / size
+}
+
+/// Largest relative difference of numbers from one expected value, not 0.
+pub fn from_value(expected: f64, found: &[f64]) -> f64 {
+    difference(&vec![expected; found.len()], found)
+}
