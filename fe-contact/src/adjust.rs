@@ -67,7 +67,7 @@ fn of_pair(
                 _ => None,
             },
             Main::Rigid { surface, .. } => {
-                let at = surface.distance(n.x.into()).map(|d| (d.gap, Vec3::from(d.normal)));
+                let at = surface.distance((n.x + sides.origin).into()).map(|d| (d.gap, Vec3::from(d.normal)));
                 at.filter(|(gap, normal)| *gap >= -deepest && n.outward.is_none_or(|o| o.dot(normal) < 0.0))
             }
         };
@@ -75,7 +75,7 @@ fn of_pair(
             && gap != 0.0
             && chosen(n.node, gap)
         {
-            moves.push(Moved { pair, node: n.node, to: (n.x - normal * gap).into(), gap });
+            moves.push(Moved { pair, node: n.node, to: (n.x + sides.origin - normal * gap).into(), gap });
         }
     }
     Ok(moves)

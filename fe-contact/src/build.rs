@@ -11,7 +11,7 @@ use crate::overlap::Sides;
 use crate::pair::{Discretization, Pair, PairDefinition};
 use crate::point::{ContactPoint, Measure};
 use crate::search::{Bounds, Grid};
-use crate::sides::{Prepared, characteristic_length};
+use crate::sides::{Prepared, characteristic_length, label};
 use crate::stiffness;
 use crate::summary::{MeasureKind, PenaltySummary, Summary};
 use crate::surface::{Main, Secondary};
@@ -35,9 +35,11 @@ impl Pair {
         let (constraints, searched) = constrain(structure, definition, &sides, (discretization, deepest));
         if let Some((depth, node)) = constraints.too_deep {
             let (secondary, main) = (definition.secondary_name.clone(), definition.main_name.clone());
+            let node = label(structure, node);
             return Err(PairError::TooDeep { node, depth, limit: deepest, secondary, main });
         }
         remark(definition, &constraints, (discretization, &mut sides.notes));
+        sides.notes.extend(begins_inside(structure, definition, &constraints, deepest));
         let reference = match &definition.main {
             Main::Rigid { reference, .. } => Some(*reference),
             Main::Faces(_) => None,
@@ -146,8 +148,9 @@ fn constrain(
 ) -> (Constraints, Option<usize>) {
     let nodes = || secondary_points(structure, sides);
     if let Main::Rigid { surface, reference } = &definition.main {
-        let position = structure.mesh.points[*reference as usize].into();
-        let main = RigidSide { surface, reference: *reference, position };
+        let position = Vec3::from(structure.mesh.points[*reference as usize]) - sides.origin;
+        let surface = surface.seen_from(&sides.origin);
+        let main = RigidSide { surface: &surface, reference: *reference, position };
         let constraints = match discretization {
             Discretization::SurfaceToSurface => surface_to_surface::rigid(&sides.secondary, main, deepest),
             Discretization::NodeToSurface => node_to_surface::rigid(&nodes(), main, deepest),
@@ -168,8 +171,8 @@ fn constrain(
 /// The secondary nodes with normals and areas, where there are facets.
 pub(crate) fn secondary_points(structure: &Structure, sides: &Prepared) -> Vec<Node> {
     if sides.secondary.is_empty() {
-        let node =
-            |&node: &u32| Node { node, x: structure.mesh.points[node as usize].into(), outward: None, area: 1.0 };
+        let place = |node: u32| Vec3::from(structure.mesh.points[node as usize]) - sides.origin;
+        let node = |&node: &u32| Node { node, x: place(node), outward: None, area: 1.0 };
         return sides.secondary_nodes.iter().map(node).collect();
     }
     node_to_surface::nodes_of(&sides.secondary)
@@ -196,6 +199,31 @@ fn remark(
              match; TYPE=SURFACE TO SURFACE does"
         ));
     }
+}
+
+/// Overlaps at the start below this share of what is believed are round-off or the flatness of facets [-].
+const NO_OVERLAP: f64 = 1e-6;
+/// Overlaps above this share of what is believed, a tenth of a facet, are warned of [-].
+const LARGE_OVERLAP: f64 = 0.2;
+
+/// What presses from the start on, with the node that lies deepest.
+fn begins_inside(
+    structure: &Structure,
+    definition: &PairDefinition,
+    constraints: &Constraints,
+    deepest: f64,
+) -> Option<String> {
+    let least = if deepest.is_finite() { NO_OVERLAP * deepest } else { TOUCH * model_size(structure) };
+    let depths = constraints.shares.iter().map(|s| (-s.gap / s.weight, s.node)).filter(|(depth, _)| *depth > least);
+    let count = depths.clone().count();
+    let (depth, node) = depths.reduce(|a, b| if b.0 > a.0 { b } else { a })?;
+    let kind = if depth > LARGE_OVERLAP * deepest { "warning: " } else { "" };
+    let (secondary, main) = (&definition.secondary_name, &definition.main_name);
+    let label = label(structure, node);
+    Some(format!(
+        "{kind}{count} nodes of {secondary} begin inside of {main}: the overlap, {depth:.6e} at most (node {label}), is \
+         pressed out in the first increment; ADJUST removes it without strain"
+    ))
 }
 
 /// How much surface each node stands for; the second argument is the area of the overlap.

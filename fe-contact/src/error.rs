@@ -2,7 +2,7 @@
 
 use crate::rigid::RigidFault;
 
-/// A pair that cannot be built; nodes are indices (messages translate them to labels).
+/// A pair that cannot be built; nodes are told by their labels.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum PairError {
     /// A side without faces or nodes.
@@ -14,8 +14,8 @@ pub enum PairError {
     /// Both sides use the same node.
     #[error("surfaces {secondary} and {main} share node {node}; a pair needs two separate sets of nodes")]
     SharedNode {
-        /// Node index.
-        node: u32,
+        /// Label of the node.
+        node: u64,
         /// Name of the secondary surface.
         secondary: String,
         /// Name of the main surface.
@@ -46,8 +46,8 @@ pub enum PairError {
          facet): move the body out, use ADJUST, or check on which side the surfaces face"
     )]
     TooDeep {
-        /// Node index.
-        node: u32,
+        /// Label of the node.
+        node: u64,
         /// Overclosure [L].
         depth: f64,
         /// What is allowed [L].

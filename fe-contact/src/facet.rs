@@ -76,8 +76,9 @@ const QUARTERS: [Patch; 4] = [
 ];
 
 impl Facet {
-    /// A face of a structure; `thickness` [L] replaces that of the section in plane models.
-    pub fn new(structure: &Structure, face: Face, thickness: Option<f64>) -> Self {
+    /// A face of a structure, its coordinates taken from `origin`; `thickness` [L] replaces that of the section in
+    /// plane models.
+    pub fn new(structure: &Structure, face: Face, thickness: Option<f64>, origin: &Vec3) -> Self {
         let (kind, list) = structure.mesh.face(face);
         let depth = match structure.elements[face.cell.block as usize].space() {
             Space::Solid => Depth::Solid,
@@ -89,7 +90,7 @@ impl Facet {
         let (mut nodes, mut points) = ([0; MOST], [Vec3::zeros(); MOST]);
         for (i, &n) in list.iter().enumerate() {
             nodes[i] = n;
-            points[i] = Vec3::from(structure.mesh.points[n as usize]);
+            points[i] = Vec3::from(structure.mesh.points[n as usize]) - origin;
         }
         let mut facet = Facet { face, kind, depth, nodes, points, normal: Vec3::zeros(), area: 0.0, affine: true };
         let scale = (points[0] - points[1]).norm();

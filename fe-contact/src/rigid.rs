@@ -160,6 +160,26 @@ fn left(t: Point) -> Point {
 }
 
 impl RigidSurface {
+    /// The same surface with coordinates taken from `origin`.
+    pub fn seen_from(&self, origin: &Vector3<f64>) -> RigidSurface {
+        let less = |p: [f64; 3]| [p[0] - origin.x, p[1] - origin.y, p[2] - origin.z];
+        let mut seen = self.clone();
+        match &mut seen.sweep {
+            Sweep::Cylinder { origin, .. } | Sweep::Revolution { origin, .. } => *origin = less(*origin),
+            Sweep::Segments => {
+                let less = |p: [f64; 2]| [p[0] - origin.x, p[1] - origin.y];
+                seen.start = less(seen.start);
+                for piece in &mut seen.pieces {
+                    match piece {
+                        Piece::Line { to } => *to = less(*to),
+                        Piece::Arc { to, center } => (*to, *center) = (less(*to), less(*center)),
+                    }
+                }
+            }
+        }
+        seen
+    }
+
     /// Checks the profile.
     pub fn check(&self) -> Result<(), RigidFault> {
         if self.pieces.is_empty() {

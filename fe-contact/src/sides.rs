@@ -1,17 +1,22 @@
 //! The sides of a pair, checked and made ready: facets, nodes, remarks.
 
 use crate::error::PairError;
-use crate::facet::Facet;
+use crate::facet::{Facet, Vec3};
 use crate::interaction::Interaction;
 use crate::pair::PairDefinition;
+use crate::search::Bounds;
 use crate::surface::{Main, Secondary};
 use fe_core::Structure;
+use fe_core::element::Space;
 use fe_mesh::{CellKind, Face};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Both sides.
 #[derive(Debug, Default)]
 pub struct Prepared {
+    /// Where coordinates of facets, nodes and rigid surfaces are taken from: gaps are small beside the sides, not
+    /// beside their distance from the model's origin.
+    pub origin: Vec3,
     /// Facets of an element-based secondary side.
     pub secondary: Vec<Facet>,
     /// Facets of a deformable main side.
@@ -27,12 +32,13 @@ pub struct Prepared {
 impl Prepared {
     /// From a definition.
     pub fn new(structure: &Structure, pair: &PairDefinition, interaction: &Interaction) -> Result<Self, PairError> {
-        let mut sides = Prepared::default();
+        let mut sides = Prepared { origin: origin(structure, pair), ..Prepared::default() };
+        let origin = sides.origin;
         let (secondary, main) = (pair.secondary_name.as_str(), pair.main_name.as_str());
         let notes = &mut sides.notes;
         match &pair.secondary {
             Secondary::Faces(faces) => {
-                sides.secondary = facets(structure, faces, interaction.measure, (secondary, notes));
+                sides.secondary = facets((structure, &origin), faces, interaction.measure, (secondary, notes));
                 sides.secondary_nodes = nodes(&sides.secondary);
             }
             Secondary::Nodes(list) => {
@@ -48,7 +54,7 @@ impl Prepared {
         }
         match &pair.main {
             Main::Faces(faces) => {
-                sides.main = facets(structure, faces, interaction.measure, (main, notes));
+                sides.main = facets((structure, &origin), faces, interaction.measure, (main, notes));
                 sides.main_nodes = nodes(&sides.main);
             }
             Main::Rigid { surface, reference } => {
@@ -69,6 +75,7 @@ impl Prepared {
             return Err(PairError::Empty { surface: main });
         }
         if let Some(&node) = self.secondary_nodes.iter().find(|n| self.main_nodes.binary_search(n).is_ok()) {
+            let node = label(structure, node);
             return Err(PairError::SharedNode { node, secondary, main });
         }
         let plane = self.secondary.first().map_or(structure.is_plane(), Facet::is_edge);
@@ -84,11 +91,39 @@ impl Prepared {
     }
 }
 
+/// Sides further than this many times their size from the model's origin get an origin of their own [-].
+const FAR: f64 = 8.0;
+
+/// The least coordinates of both sides where they are far away, else 0; radii stay what they are.
+fn origin(structure: &Structure, pair: &PairDefinition) -> Vec3 {
+    let of_faces = |faces: &[Face]| faces.iter().flat_map(|&face| structure.mesh.face(face).1).collect::<Vec<u32>>();
+    let mut nodes = match &pair.secondary {
+        Secondary::Faces(faces) => of_faces(faces),
+        Secondary::Nodes(list) => list.iter().map(|n| n.0).collect(),
+    };
+    if let Main::Faces(faces) = &pair.main {
+        nodes.extend(of_faces(faces));
+    }
+    let points: Vec<Vec3> = nodes.iter().map(|&n| structure.mesh.points[n as usize].into()).collect();
+    let Bounds { low, high } = Bounds::around(&points, 0.0);
+    let size = (high - low).norm();
+    let axisymmetric = structure.elements.iter().any(|e| e.space() == Space::Axisymmetric);
+    Vec3::from_fn(|c, _| {
+        let far = low[c] > FAR * size || high[c] < -FAR * size;
+        if far && !(axisymmetric && c == 0) { low[c] } else { 0.0 }
+    })
+}
+
 /// Mean characteristic length [L] of facets: √(mean area), or the mean length of edges.
 pub fn characteristic_length(facets: &[Facet]) -> Option<f64> {
     let mean = facets.iter().map(|f| f.area).sum::<f64>() / facets.len().max(1) as f64;
     let edges = facets.first()?.is_edge();
     Some(if edges { mean } else { mean.sqrt() })
+}
+
+/// What the user knows a node by; its index where the mesh has no labels.
+pub fn label(structure: &Structure, node: u32) -> u64 {
+    structure.mesh.point_labels.get(node as usize).copied().unwrap_or(node.into())
 }
 
 /// Nodes of facets, ascending.
@@ -99,7 +134,7 @@ pub fn nodes(facets: &[Facet]) -> Vec<u32> {
 /// The facets of a list of faces, each once, ascending: the same face twice, the same face of two cells (an interior
 /// one, dropped on both sides) and faces without area are left out and remarked.
 fn facets(
-    structure: &Structure,
+    (structure, origin): (&Structure, &Vec3),
     faces: &[Face],
     thickness: Option<f64>,
     (name, notes): (&str, &mut Vec<String>),
@@ -113,7 +148,7 @@ fn facets(
     }
     let mut by_nodes: BTreeMap<Vec<u32>, Vec<Facet>> = BTreeMap::new();
     for &face in &once {
-        let facet = Facet::new(structure, face, thickness);
+        let facet = Facet::new(structure, face, thickness, origin);
         let mut nodes = facet.nodes().to_vec();
         nodes.sort_unstable();
         by_nodes.entry(nodes).or_default().push(facet);

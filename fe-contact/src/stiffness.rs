@@ -1,6 +1,6 @@
 //! The stiffness of the elements beneath a surface, from which the default penalty is taken.
 
-use crate::facet::{Facet, Rules};
+use crate::facet::{Facet, Rules, Vec3};
 use fe_core::Structure;
 use fe_mesh::{CellId, Face};
 use rayon::prelude::*;
@@ -29,11 +29,13 @@ pub fn beneath(structure: &Structure, facets: &[Facet]) -> Option<f64> {
     (area > 0.0).then(|| sum / area)
 }
 
-/// Volume [L³] of a cell, area [L²] of a plane one: (1/d) ∫ x·n over its faces.
+/// Volume [L³] of a cell, area [L²] of a plane one: (1/d) ∫ x·n over its faces, x from one of its nodes, so that
+/// little cancels.
 fn volume(structure: &Structure, cell: CellId, rules: &Rules) -> f64 {
     let faces = structure.mesh.kind(cell).faces();
+    let origin = Vec3::from(structure.mesh.points[structure.mesh.cell(cell)[0] as usize]);
     let of_face = |face: usize| {
-        let facet = Facet::new(structure, Face { cell, face: face as u8 }, Some(1.0));
+        let facet = Facet::new(structure, Face { cell, face: face as u8 }, Some(1.0), &origin);
         let flux = |(xi, w): &([f64; 3], f64)| {
             let xi = [xi[0], xi[1]];
             facet.position(xi).dot(&facet.area_vector(xi)) * w

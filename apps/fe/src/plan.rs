@@ -83,7 +83,7 @@ impl Plan {
         }
         needs.push(("unknowns".into(), format!("{unknowns}, and {prescribed} prescribed freedoms")));
         needs.extend(matrix.iter().flat_map(|matrix| matrix.in_words(terms)));
-        for pair in &terms.pairs {
+        for pair in terms.pairs.iter().filter(|pair| !pair.points.is_empty()) {
             needs.push(("contact pair".into(), pair_in_words(pair)));
         }
         let searched: Vec<usize> = terms.pairs.iter().filter_map(|pair| pair.summary().searched).collect();
@@ -143,10 +143,12 @@ fn leaves_out(terms: &Terms, unknowns: usize) -> Vec<String> {
     if unknowns == 0 {
         out.push("matrix and solver: every freedom is prescribed".into());
     }
-    if terms.pairs.is_empty() {
+    let (met, idle): (Vec<&Pair>, Vec<&Pair>) = terms.pairs.iter().partition(|pair| !pair.points.is_empty());
+    out.extend(idle.iter().map(|pair| format!("contact of {}: no part of them faces the other", pair.name())));
+    if met.is_empty() {
         out.push("contact: no pair".into());
     } else {
-        if terms.pairs.iter().all(|p| p.summary().searched.is_none()) {
+        if met.iter().all(|p| p.summary().searched.is_none()) {
             out.push("contact search: every main surface is rigid".into());
         }
         out.push("multipliers: a penalty or a law carries the contact".into());

@@ -50,7 +50,7 @@ impl Terms {
             let interaction = &model.interactions[definition.interaction];
             let pair =
                 Pair::new(&structure, &freedoms, definition, interaction).map_err(|e| format!("{}: {e}", place(k)))?;
-            notes.extend(pair.notes().iter().cloned());
+            notes.extend(pair.notes().iter().map(|note| placed(note, &place(k))));
             pairs.push(pair);
         }
         let search_seconds = start.elapsed().as_secs_f64();
@@ -84,6 +84,11 @@ impl Terms {
             None => format!("the body of node {}", mesh.point_labels[body.nodes[0] as usize]),
         }
     }
+}
+
+/// A warning with the line of the pair that it is about; remarks go as they are.
+fn placed(note: &str, place: &str) -> String {
+    if note.starts_with("warning: ") { format!("{place}: {note}") } else { note.to_owned() }
 }
 
 /// What `ADJUST` did, a line for each pair that it moved nodes of.

@@ -135,7 +135,7 @@ impl Ball {
         let mut moved = mesh.clone();
         moved.points.iter_mut().for_each(|p| *p = scaled(*p));
         // The flat's profile is a line in a local plane; its reference node stands on it.
-        let [a, b, c] = [[0.0, 0.0, -RADIUS], [1.0, 0.0, -RADIUS], [0.0, 0.0, 1.0 - RADIUS]].map(scaled);
+        let [a, b, c] = [[0.0, 0.0, -RADIUS], [1.0, 0.0, -RADIUS], [0.0, 1.0, -RADIUS]].map(scaled);
         let reference = mesh.points.len() as u64 + 1;
         let (l, f, t) = (self.length, self.force, self.time);
         let [ux, uy, uz] = scaled([0.0, 0.0, -PUSH]);

@@ -3,7 +3,7 @@
 use super::run::{Run, Solved};
 
 /// Head of the table.
-pub const HEAD: &str = "case                       scene                                            outcome                                          incr  cut  iter     error     bound";
+pub const HEAD: &str = "case                       scene                                            outcome                                                      incr  cut  iter     error     bound";
 
 /// The end of a scene.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -41,7 +41,7 @@ impl Finding {
             Ok(_) => Finding { outcome: "converged".into(), effort, ..Finding::default() },
             Err(why) => {
                 let faults = vec![format!("it must converge: {why}")];
-                Finding { outcome: first_line(why), effort, faults, ..Finding::default() }
+                Finding { outcome: short(why), effort, faults, ..Finding::default() }
             }
         }
     }
@@ -56,7 +56,7 @@ impl Finding {
                 found.faults.push("it must be refused".into());
             }
             Err(why) => {
-                found.outcome = format!("refused: {}", first_line(why));
+                found.outcome = format!("refused: {}", short(why));
                 found = found.holds(!run.panicked, "a panic is no refusal");
                 found = found.holds(run.certificates.is_empty(), "it must be refused before the first increment");
                 for word in words {
@@ -150,11 +150,11 @@ impl Finding {
             Verdict::Failed => "FAILED",
             Verdict::Waits => "waits",
         };
-        let outcome = cut(&self.outcome, if self.waits { 83 } else { 48 });
+        let outcome = cut(&self.outcome, if self.waits { 95 } else { 60 });
         let mut line = if self.waits {
-            format!("{case:26} {:48} {outcome:<83}{verdict}", cut(scene, 48))
+            format!("{case:26} {:48} {outcome:<97}{verdict}", cut(scene, 48))
         } else {
-            format!("{case:26} {:48} {outcome:<47} {effort} {error}  {verdict}", cut(scene, 48))
+            format!("{case:26} {:48} {outcome:<60} {effort} {error}  {verdict}", cut(scene, 48))
         };
         for fault in &self.faults {
             line.push_str("\n    ");
@@ -164,8 +164,12 @@ impl Finding {
     }
 }
 
-fn first_line(text: &str) -> String {
-    text.lines().next().unwrap_or_default().trim_start_matches("error: ").to_owned()
+/// The first fault of a message, without its place.
+fn short(text: &str) -> String {
+    let line = text.lines().find(|line| line.starts_with("error: ")).or(text.lines().next()).unwrap_or_default();
+    let line = line.trim_start_matches("error: ");
+    let placed = line.split_once(".inp:").and_then(|(_, rest)| rest.split_once(": "));
+    placed.map_or(line, |(_, said)| said).to_owned()
 }
 
 fn cut(text: &str, length: usize) -> String {

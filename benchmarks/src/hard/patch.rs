@@ -31,6 +31,8 @@ pub struct Patch {
     pub kind: &'static str,
     /// Poisson's ratio.
     pub poisson: f64,
+    /// Residual asked for, of the mean force [-].
+    pub residual: f64,
 }
 
 impl Default for Patch {
@@ -43,6 +45,7 @@ impl Default for Patch {
             behavior: "*SURFACE BEHAVIOR, PENALTY\n".into(),
             kind: "SURFACE TO SURFACE",
             poisson: POISSON,
+            residual: EXACT,
         }
     }
 }
@@ -110,14 +113,14 @@ impl Patch {
     /// The deck with the pressure on the top.
     pub fn pressed(&self, mesh: &Mesh, order: Order) -> String {
         let load = format!("*DSLOAD\nUP_{}MAX, P, {PRESSURE}\n", self.axis());
-        format!("{}{}{}", self.model(mesh, order), self.supports(), step(&load))
+        format!("{}{}{}", self.model(mesh, order), self.supports(), step(self.residual, &load))
     }
 
     /// The deck with the top held where it is: only the overlap presses.
     pub fn held(&self, mesh: &Mesh, order: Order) -> String {
         let normal = if self.in_space() { 3 } else { 2 };
         let top = format!("UP_{}MAX, {normal}\n", self.axis());
-        format!("{}{}{top}{}", self.model(mesh, order), self.supports(), step(""))
+        format!("{}{}{top}{}", self.model(mesh, order), self.supports(), step(self.residual, ""))
     }
 
     /// Pressure over strain in the loaded direction [F/L²].
@@ -149,7 +152,10 @@ impl Patch {
     }
 }
 
-/// One step in one increment, with the residual that exact answers need.
-pub fn step(loads: &str) -> String {
-    format!("*STEP\n*STATIC\n1., 1.\n*CONTROLS, PARAMETERS=FIELD\n1e-12\n{loads}*END STEP\n")
+/// The residual that exact answers need, of the mean force [-].
+pub const EXACT: f64 = 1e-12;
+
+/// One step in one increment, down to a residual.
+pub fn step(residual: f64, loads: &str) -> String {
+    format!("*STEP\n*STATIC\n1., 1.\n*CONTROLS, PARAMETERS=FIELD\n{residual:e}\n{loads}*END STEP\n")
 }

@@ -168,7 +168,7 @@ pub fn turned(x: Vec3) -> Vec3 {
 pub fn integrals(scene: &Scene, faces: &[Face], f: impl Fn(&Vec3) -> f64) -> BTreeMap<u32, Vec3> {
     let mut sums = BTreeMap::new();
     for &face in faces {
-        let facet = Facet::new(&scene.structure, face, None);
+        let facet = Facet::new(&scene.structure, face, None, &Vec3::zeros());
         for (xi, w) in Rule::of(facet.kind, 10).points {
             let xi = [xi[0], xi[1]];
             let x = facet.position(xi);

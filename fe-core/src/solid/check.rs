@@ -198,6 +198,7 @@ impl Checker {
         let (place, jacobian) = least(self.corners..jacobians.len())?;
         let all_finite = jacobians.iter().all(|j| j.is_finite());
         if !all_finite || largest <= ROUND_OFF * size.powi(self.element.space().dimension() as i32) {
+            let (place, jacobian) = least(0..jacobians.len())?;
             return Some(Defect::NoVolume { place, jacobian });
         }
         if jacobians[..self.corners].iter().all(|&j| j < 0.0) {

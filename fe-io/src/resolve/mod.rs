@@ -2,6 +2,7 @@
 
 mod amplitudes;
 mod controls;
+mod cracks;
 mod elements;
 mod faces;
 mod interactions;
@@ -10,6 +11,7 @@ mod loads;
 mod materials;
 mod mesh_file;
 mod nodes;
+mod once;
 mod pairs;
 mod quality;
 mod requests;
@@ -70,6 +72,7 @@ pub fn resolve(deck: &Deck, library: &Library) -> Result<Model, Diagnostics> {
     let steps = steps(&entries, &names, &mut scene, &mut diagnostics);
     if diagnostics.faults() == 0 {
         quality::twins(&scene, &mut diagnostics);
+        cracks::tell(&scene, &contact_pairs, &mut diagnostics);
         quality::elements(&scene, &mut diagnostics);
     }
     if diagnostics.faults() > 0 {

@@ -2,6 +2,7 @@
 
 use super::interactions::Interactions;
 use super::nodes::fields;
+use super::once;
 use super::scene::{Scene, Surface};
 use crate::deck::card::{Token, normalized};
 use crate::deck::number::number;
@@ -51,7 +52,7 @@ pub fn read(
         let source = &scene.deck.sources[line.span.source as usize];
         let place = source.place(line.span.start);
         let pair = PairDefinition { secondary_name, main_name, secondary, main, interaction, discretization, adjust };
-        pairs.push((pair, place));
+        pairs.extend(once::only_new(pair, pairs, line.span, diagnostics).map(|pair| (pair, place)));
     }
 }
 

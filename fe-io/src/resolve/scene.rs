@@ -157,7 +157,8 @@ pub fn set<'m, T>(
     match sets.get(&name) {
         Some(set) if !set.is_empty() => Some(set),
         Some(_) => {
-            diagnostics.push(Diagnostic::error(token.span, format!("{kind} `{name}` is empty")));
+            let filled = sets.iter().filter(|(_, set)| !set.is_empty()).map(|(name, _)| name.as_str());
+            diagnostics.push(Diagnostic::error(token.span, format!("{kind} `{name}` is empty")).known(&name, filled));
             None
         }
         None => {

@@ -86,7 +86,7 @@ fn plate() -> String {
          *BOUNDARY\nLOW_YMIN, 2\nLOW_XMIN, 1\nUP_XMIN, 1\nPLATE_XMIN, 1\n{}",
         deck::cards(&mesh, &sets.map(|set| (set, ElementType::CPE4)), Order::AsMade),
         deck::elastic(&sets, YOUNG, 0.3),
-        patch::step(&format!("*DSLOAD\nUP_YMAX, P, {PRESSURE}\n")),
+        patch::step(patch::EXACT, &format!("*DSLOAD\nUP_YMAX, P, {PRESSURE}\n")),
     )
 }
 
@@ -171,8 +171,8 @@ pub fn empty() -> Vec<Scene> {
     vec![
         refused(
             "a load on an empty set",
-            (load, "*NSET, NSET=UP_YMAXI\n*CLOAD\nUP_YMAXI, 2, -1.\n"),
-            &["`UP_YMAXI`", "`UP_YMAX`"],
+            ("*STEP\n*STATIC\n1., 1.\n", "*NSET, NSET=UP_YMAXI\n*STEP\n*STATIC\n1., 1.\n*CLOAD\nUP_YMAXI, 2, -1.\n"),
+            &["`UP_YMAXI` is empty", "`UP_YMAX`"],
         ),
         refused("a load on a missing surface", (load, "*DSLOAD\nUP_YMXA, P, 10.\n"), &["`UP_YMXA`", "`UP_YMAX`"]),
         refused(

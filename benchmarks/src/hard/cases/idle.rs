@@ -87,7 +87,7 @@ pub fn scenes() -> Vec<Scene> {
                 .holds(!needed, "the plan lists a pair that has no effect")
         }),
         refused("1., 0.", &["period `0.` is out of range"]),
-        refused("0., 0.", &["period `0.` is out of range"]),
+        refused("0., 0.", &["`0.` is out of range"]),
         refused("0., 1.", &["`0.` is out of range"]),
         Scene::waits("friction defined and unused", "*FRICTION"),
     ]

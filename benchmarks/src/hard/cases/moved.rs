@@ -27,39 +27,43 @@ pub fn offset() -> Vec<Scene> {
     for (shift, bound, words) in [(EXACT_SHIFT, 1e-9, "2^20"), (1e6, rounded, "1e6")] {
         for (lower, upper) in [(4, 4), (3, 4)] {
             scenes.push(Scene::new(format!("patch {lower}/{upper}, overlap 1e-3, moved by {words}"), move |place| {
-                let deck = move |by: f64| held(&Patch { overlap: OVERLAP, ..Patch::plane(lower, upper) }, by);
-                moved(place, (shift, bound), &deck)
+                let patch = Patch { overlap: OVERLAP, ..Patch::plane(lower, upper) };
+                moved(place, (shift, bound), &|by| held(&patch, by, shift == EXACT_SHIFT))
             }));
         }
-        let solid =
-            move |by: f64| held(&Patch { element: ElementType::C3D8, overlap: OVERLAP, ..Patch::plane(2, 3) }, by);
         scenes.push(Scene::new(format!("patch 2/3 in space, overlap 1e-3, moved by {words}"), move |place| {
-            moved(place, (shift, bound), &solid)
+            let patch = Patch { element: ElementType::C3D8, overlap: OVERLAP, ..Patch::plane(2, 3) };
+            moved(place, (shift, bound), &|by| held(&patch, by, shift == EXACT_SHIFT))
         }));
         // The answer of the window follows from its depth, 5e-4 at x = 1.
         let bound = if shift == EXACT_SHIFT { bound } else { 4.0 * f64::EPSILON * 1e6 / 5e-4 };
         scenes.push(Scene::new(format!("window on an arc, moved by {words}"), move |place| {
-            moved(place, (shift, bound), &window)
+            moved(place, (shift, bound), &|by| window(by, shift == EXACT_SHIFT))
         }));
     }
     scenes.push(Scene::waits("A07 moved", "ITT elements, pipes"));
     scenes
 }
 
-fn held(patch: &Patch, by: f64) -> String {
+/// The held patch moved by so much; `exact`: with coordinates rounded to multiples of 2⁻²⁰ before.
+fn held(patch: &Patch, by: f64, exact: bool) -> String {
     let mut mesh = patch.mesh();
     let axes = if patch.element == ElementType::C3D8 { 3 } else { 2 };
-    mesh.points.iter_mut().for_each(|p| (0..axes).for_each(|c| p[c] = dyadic(p[c]) + by));
+    let rounded = |x: f64| if exact { dyadic(x) } else { x };
+    mesh.points.iter_mut().for_each(|p| (0..axes).for_each(|c| p[c] = rounded(p[c]) + by));
     patch.held(&mesh, Order::AsMade)
 }
 
 /// The window [0, 2]² of a half plane pressed onto an arc of radius 1000 that it lies on at x = 0: sides and top are
-/// held, pushed down by 5e-4, so that about half of the lower side is in contact.
-fn window(by: f64) -> String {
-    let mut mesh = Block::quad4([16, 16]).size([2.0, 2.0, 0.0]).mesh();
+/// held, pushed down by 5e-4, so that about half of the lower side is in contact; `exact`: all coordinates are multiples
+/// of 2⁻²⁰.
+fn window(by: f64, exact: bool) -> String {
+    let n = if exact { 16 } else { 17 };
+    let mut mesh = Block::quad4([n, n]).size([2.0, 2.0, 0.0]).mesh();
     mesh.points.iter_mut().for_each(|p| (0..2).for_each(|c| p[c] += by));
     // Height of the arc at x = ±8, a multiple of 2⁻²⁰.
-    let low = dyadic(1000.0 - (1000.0f64 * 1000.0 - 64.0).sqrt());
+    let low = 1000.0 - (1000.0f64 * 1000.0 - 64.0).sqrt();
+    let low = if exact { dyadic(low) } else { low };
     let [left, right, end, centre] = [by - 8.0, by + 8.0, by - low, by - 1000.0];
     let middle = by;
     format!(
@@ -70,7 +74,7 @@ fn window(by: f64) -> String {
          *BOUNDARY\n999999, 1, 2\n999999, 6\nXMIN, 1\nXMAX, 1\nYMAX, 1\n{}",
         deck::cards(&mesh, &[("BLOCK", ElementType::CPE4)], Order::AsMade),
         deck::elastic(&["BLOCK"], 1000.0, 0.3),
-        patch::step("*BOUNDARY\nYMAX, 2, 2, -5e-4\nXMAX, 2, 2, -5e-4\n"),
+        patch::step(patch::EXACT, "*BOUNDARY\nYMAX, 2, 2, -5e-4\nXMAX, 2, 2, -5e-4\n"),
     )
 }
 
@@ -165,5 +169,5 @@ fn unit_rule(turn: fn([f64; 3]) -> [f64; 3]) -> String {
 fn pushed(mesh: &Mesh, (held, pushed): (&str, &str), by: [f64; 3]) -> String {
     let nodes = mesh.node_sets.get(pushed).map_or(&[][..], Vec::as_slice);
     let push: String = nodes.iter().map(|&n| deck::prescribed(mesh.point_labels[n as usize], &by)).collect();
-    format!("*BOUNDARY\n{held}, 1, 3\n{}", patch::step(&format!("*BOUNDARY\n{push}")))
+    format!("*BOUNDARY\n{held}, 1, 3\n{}", patch::step(patch::EXACT, &format!("*BOUNDARY\n{push}")))
 }
