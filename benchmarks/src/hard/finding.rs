@@ -191,3 +191,42 @@ pub fn difference(reference: &[f64], found: &[f64]) -> f64 {
 pub fn from_value(expected: f64, found: &[f64]) -> f64 {
     difference(&vec![expected; found.len()], found)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A finding fails by an error above its bound, by one that is not a number, and by what does not hold; it keeps
+    /// the worst error in proportion.
+    #[test]
+    fn what_fails() {
+        assert_eq!(Finding::default().within(1e-12, 1e-10).verdict(), Verdict::Good);
+        assert_eq!(Finding::default().within(0.0, 0.0).verdict(), Verdict::Good);
+        assert_eq!(Finding::waits("something").verdict(), Verdict::Waits);
+        for failed in [
+            Finding::default().within(1e-9, 1e-10),
+            Finding::default().within(f64::NAN, 1e-10).within(0.0, 1.0),
+            Finding::default().within(0.0, 1.0).and(Finding::default().within(f64::NAN, 1e-10)),
+            Finding::default().holds(false, "it does not hold"),
+        ] {
+            assert_eq!(failed.verdict(), Verdict::Failed, "{failed:?}");
+        }
+        let worst = Finding::default().within(1e-3, 1.0).within(1e-11, 1e-10).within(1e-2, 1.0);
+        assert_eq!(worst.error, Some((1e-11, 1e-10)));
+    }
+
+    #[test]
+    fn differences_see_what_is_not_a_number_and_what_is_missing() {
+        assert_eq!(difference(&[1.0, -2.0], &[1.0, -2.5]), 0.25);
+        assert!(difference(&[1.0, f64::NAN, 2.0], &[1.0, 0.0, 2.0]).is_nan());
+        assert_eq!(difference(&[1.0], &[1.0, 1.0]), f64::INFINITY);
+        assert_eq!(from_value(10.0, &[]), f64::INFINITY);
+    }
+
+    #[test]
+    fn a_message_is_cut_to_its_fault() {
+        let message = "warning: first\n --> a.inp:1:1\n\nerror: node 7 is there twice\n --> a.inp:9:1";
+        assert_eq!(short(message), "node 7 is there twice");
+        assert_eq!(short("folder/a.inp:110: node 18 lies deep\nhelp: move it"), "node 18 lies deep");
+    }
+}

@@ -1,5 +1,6 @@
 //! Tests over whole pairs.
 
+mod far;
 mod robustness;
 mod scene;
 mod transmission;

@@ -139,6 +139,10 @@ fn overlaps_are_believed_up_to_half_a_facet() {
             let scene = stacked(-overlap, 0.0);
             let pair = scene.pair(&surfaces(scene.skin(0), scene.skin(1), discretization), &linear());
             assert!(pair.points.iter().filter(|p| p.normal[1] > 0.99).all(|p| (p.gap + overlap).abs() < 1e-14));
+            // What is more than round-off is told, and warned of above a tenth of a facet.
+            let told = pair.notes().iter().find(|note| note.contains("begin inside"));
+            assert_eq!(told.is_some(), overlap > 1e-6, "{overlap}");
+            assert_eq!(told.is_some_and(|note| note.starts_with("warning: ")), overlap > 0.1, "{told:?}");
         }
         let mut scene = stacked(-0.1, 0.0);
         let deep = scene.structure.mesh.points.iter().position(|p| *p == [1.0, 0.9, 1.0]).unwrap() as u32;

@@ -53,25 +53,23 @@ pub fn scenes() -> Vec<Scene> {
     scenes
 }
 
-/// Every direction and distance, main elements in three orders, main surface the top alone or the whole skin.
+/// Every distance, and main elements in three orders; the main surface is the top alone, or the whole skin.
 fn above(place: &Place, side: Side, at: [f64; 2]) -> Finding {
+    let mut runs: Vec<([f64; 2], Order)> = offsets().into_iter().map(|offset| (offset, Order::AsMade)).collect();
+    runs.extend([Order::Backwards, Order::Strided(9973)].map(|order| ([0.0; 2], order)));
     let mut all: Option<Finding> = None;
-    for (k, [dx, dy]) in offsets().into_iter().enumerate() {
-        for (order, name) in
-            [(Order::AsMade, "as_made"), (Order::Backwards, "backwards"), (Order::Strided(9973), "strided")]
-        {
-            for main in ["CUBE_ZMAX", "CUBE_SKIN"] {
-                let deck = deck(side, [at[0] + dx, at[1] + dy], (order, main));
-                let run = place.run(&format!("{}_{name}_{k}", main.to_lowercase()), &deck);
-                let found = Finding::converged(&run).measured(&run, |solved| {
-                    let force = solved.pairs.iter().map(|pair| pair.secondary.force[2]).sum::<f64>();
-                    vec![(from_value(expected(side), &[force]), 1e-10)]
-                });
-                all = Some(match all {
-                    Some(before) => before.and(found),
-                    None => found,
-                });
-            }
+    for (k, ([dx, dy], order)) in runs.into_iter().enumerate() {
+        for main in ["CUBE_ZMAX", "CUBE_SKIN"] {
+            let deck = deck(side, [at[0] + dx, at[1] + dy], (order, main));
+            let run = place.run(&format!("{}_{k}", main.to_lowercase()), &deck);
+            let found = Finding::converged(&run).measured(&run, |solved| {
+                let force = solved.pairs.iter().map(|pair| pair.secondary.force[2]).sum::<f64>();
+                vec![(from_value(expected(side), &[force]), 1e-10)]
+            });
+            all = Some(match all {
+                Some(before) => before.and(found),
+                None => found,
+            });
         }
     }
     all.unwrap_or_default()

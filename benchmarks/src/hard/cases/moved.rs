@@ -90,6 +90,9 @@ fn moved(place: &Place, (by, bound): (f64, f64), deck: &dyn Fn(f64) -> String) -
     })
 }
 
+/// Takes points to where they are.
+type Turn = fn([f64; 3]) -> [f64; 3];
+
 /// Turned by 37° about x, then 53° about y, then 71° about z.
 fn turn([x, y, z]: [f64; 3]) -> [f64; 3] {
     let [(sx, cx), (sy, cy), (sz, cz)] = [37.0f64, 53.0, 71.0].map(|a| a.to_radians().sin_cos());
@@ -103,10 +106,9 @@ const TURNED: f64 = 1e-10;
 
 /// Scenes of D17.
 pub fn rotation() -> Vec<Scene> {
-    let compared =
-        |name: &str, deck: fn(fn([f64; 3]) -> [f64; 3]) -> String| Scene::new(name, move |place| turned(place, &deck));
+    let compared = |name: &str, deck: fn(Turn) -> String| Scene::new(name, move |place| turned(place, &deck));
     vec![
-        compared("patch 3/2 in space, both ends held, turned", |turn| solid_patch(turn)),
+        compared("patch 3/2 in space, both ends held, turned", solid_patch),
         Scene::new("A18 unit rule, 2 x 2 faces, turned", |place| {
             let run = place.run("unit_rule", &unit_rule(turn));
             Finding::converged(&run).measured(&run, |solved| {
@@ -126,7 +128,7 @@ pub fn rotation() -> Vec<Scene> {
     ]
 }
 
-fn turned(place: &Place, deck: &dyn Fn(fn([f64; 3]) -> [f64; 3]) -> String) -> Finding {
+fn turned(place: &Place, deck: &dyn Fn(Turn) -> String) -> Finding {
     let (reference, run) = (place.run("reference", &deck(|p| p)), place.run("turned", &deck(turn)));
     let found = Finding::converged(&run).and(Finding::converged(&reference)).holds(
         run.iterations == reference.iterations,
@@ -148,7 +150,7 @@ fn turned(place: &Place, deck: &dyn Fn(fn([f64; 3]) -> [f64; 3]) -> String) -> F
 }
 
 /// Two blocks of bricks, both ends clamped, the upper one pushed by 0.02.
-fn solid_patch(turn: fn([f64; 3]) -> [f64; 3]) -> String {
+fn solid_patch(turn: Turn) -> String {
     let patch = Patch { element: ElementType::C3D8, across: [3, 2], ..Patch::default() };
     let mut mesh = patch.mesh();
     mesh.points.iter_mut().for_each(|p| *p = turn(*p));
@@ -156,7 +158,7 @@ fn solid_patch(turn: fn([f64; 3]) -> [f64; 3]) -> String {
 }
 
 /// Law LINEAR 100, overclosure 0.01 everywhere over 2 × 2: both blocks are held as they are, force 4.
-fn unit_rule(turn: fn([f64; 3]) -> [f64; 3]) -> String {
+fn unit_rule(turn: Turn) -> String {
     let behavior = "*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=LINEAR\n100.\n".to_owned();
     let patch = Patch { element: ElementType::C3D8, across: [3, 2], behavior, ..Patch::default() };
     let mut mesh = patch.mesh();
