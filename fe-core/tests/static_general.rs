@@ -99,3 +99,25 @@ fn a_support_let_go_gives_its_work_back() {
     assert!(free.energy.solids < 1e-20 * pulled.energy.solids);
     assert!(free.energy.work.abs() < 1e-11 * pulled.energy.work, "{:e}", free.energy.work / pulled.energy.work);
 }
+
+/// Moved as a whole by prescribed freedoms, the beam has no forces but round-off, and says so: with no matrix as well as
+/// with one, whose round-off is of the same size.
+#[test]
+fn round_off_is_known_without_a_matrix() {
+    let beam = Beam::new();
+    let round_off = |free: usize| {
+        let prescribed =
+            (free..beam.freedoms.len()).map(|f| (f, Ramp { from: 0.0, to: 0.01, amplitude: None })).collect();
+        let external = ExternalForces::default();
+        let scene = Scene { freedoms: &beam.freedoms, terms: vec![&beam.solid], external, prescribed, period: 1.0 };
+        let mut procedure = StaticGeneral::new(scene, Controls::default(), Box::new(Multifrontal::default())).unwrap();
+        assert_eq!(procedure.cost().is_some(), free > 0);
+        let attempt = Attempt { increment: 1, attempt: 1, dt: 1.0, step_time: 1.0 };
+        let (at, convergence) = procedure.advance(&beam.rest(), attempt).unwrap();
+        let largest = at.residual.iter().fold(0.0f64, |m, r| m.max(r.abs()));
+        assert!(largest > 0.0 && largest <= convergence.round_off, "{largest:e} {:e}", convergence.round_off);
+        convergence.round_off
+    };
+    let (with, without) = (round_off(3), round_off(0));
+    assert!(without > 0.1 * with && without <= 1.01 * with, "{without:e} {with:e}");
+}

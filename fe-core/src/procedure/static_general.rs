@@ -189,8 +189,8 @@ impl<'a> StaticGeneral<'a> {
         let tangent = self.tangent(now);
         // Where a large displacement is taken back, the rounding of the correction stays.
         let moved: Vec<f64> = u.iter().zip(delta).map(|(u, d)| u.abs().max((length * d).abs())).collect();
-        let products = tangent.map(|k| k.absolute_product(&moved));
-        let round_off = ROUND_OFF * products.into_iter().flatten().fold(0.0, f64::max);
+        let products = tangent.map_or_else(|| self.system.shaken(&moved), |k| k.absolute_product(&moved));
+        let round_off = ROUND_OFF * products.into_iter().fold(0.0, f64::max);
         Iterate {
             residual,
             largest_force: forces.largest,
