@@ -1,7 +1,7 @@
 //! The program: measures problems with known answers.
 
 use benchmarks::study::Options;
-use benchmarks::{compare, hard, measure, problems, study};
+use benchmarks::{compare, growth, hard, measure, problems, reading, study};
 use clap::{Parser, Subcommand};
 use std::error::Error;
 use std::ffi::OsString;
@@ -47,6 +47,26 @@ enum Command {
         /// Folder of decks and results.
         #[arg(long, default_value = "target/benchmarks/hard")]
         work: PathBuf,
+    },
+    /// Read a gmsh file of a million nodes, as text and as binary, beside gmsh's own reader.
+    Reading {
+        /// Hexahedra along each edge of the block.
+        #[arg(long, default_value_t = 100)]
+        edge: usize,
+        #[command(flatten)]
+        settings: Settings,
+    },
+    /// How seconds by phase and memory grow with the unknowns of the cantilever.
+    Growth {
+        #[command(flatten)]
+        settings: Settings,
+    },
+    /// Run a deck and print its seconds by phase.
+    #[command(hide = true, name = growth::PHASES)]
+    Phases {
+        deck: PathBuf,
+        #[arg(long, default_value_t = 1)]
+        threads: usize,
     },
     /// Run a deck as the program `fe` does.
     #[command(hide = true)]
@@ -113,6 +133,12 @@ fn execute(command: Command) -> Result<ExitCode, Box<dyn Error>> {
         Command::Compare { problems, settings } => compare_all(&problems, &settings.options(), out)?,
         Command::Cantilever { settings } => compare_all(&["cantilever".into()], &settings.options(), out)?,
         Command::Hard { cases, work } => return hard_cases(&cases, &work, out),
+        Command::Reading { edge, settings } => {
+            let Options { runs, work, results, .. } = settings.options();
+            reading::study(&reading::Options { edge, runs, work, results }, out)?;
+        }
+        Command::Growth { settings } => growth::study(&settings.options(), out)?,
+        Command::Phases { deck, threads } => growth::phases(&deck, threads, out)?,
         Command::Fe { arguments } => {
             return Ok(fe::main_with(fe::standard(), std::iter::once("fe".into()).chain(arguments)));
         }

@@ -84,6 +84,11 @@ pub fn report(log: &str, command: &[String]) -> io::Result<Option<String>> {
     Ok(status.success().then(|| format!("{wall} {} {}", cpu_seconds(&usage), peak_bytes(&usage))))
 }
 
+/// Processor seconds of this process so far, all threads.
+pub fn own_cpu() -> io::Result<f64> {
+    Ok(cpu_seconds(&getrusage(UsageWho::RUSAGE_SELF)?))
+}
+
 fn cpu_seconds(usage: &Usage) -> f64 {
     [usage.user_time(), usage.system_time()].iter().map(|t| t.tv_sec() as f64 + 1e-6 * t.tv_usec() as f64).sum()
 }
