@@ -33,12 +33,28 @@ pub enum Rest {
 impl RigidContact {
     /// At the displacement `u`, of motions whose fields, all over all freedoms, are made one by one.
     pub fn new(pairs: &[Pair], u: &[f64], motions: impl ExactSizeIterator<Item = Vec<f64>>) -> Self {
-        let points = || pairs.iter().flat_map(|pair| (0..pair.points.len()).map(move |i| (pair, i)));
-        let gaps: Vec<f64> = points().map(|(pair, i)| pair.opening(i, u) - pair.law().reach()).collect();
-        let touch: Vec<f64> = points().map(|(pair, _)| pair.touch).collect();
+        Self::of(&every_point(pairs), u, motions)
+    }
+
+    /// At an equilibrium `u`, of the points alone that answer a motion by another force; `None` where no point presses
+    /// on a plateau of its law, so that pressing points do answer.
+    pub fn answering(pairs: &[Pair], u: &[f64], motions: impl ExactSizeIterator<Item = Vec<f64>>) -> Option<Self> {
+        let mut points = every_point(pairs);
+        points.iter().any(|(pair, i)| pair.on_plateau(*i, u)).then(|| {
+            let answers = |(pair, i): &(&Pair, usize)| {
+                pair.opening(*i, u) <= pair.law().reach() + pair.touch && !pair.on_plateau(*i, u)
+            };
+            points.retain(answers);
+            Self::of(&points, u, motions)
+        })
+    }
+
+    fn of(points: &[(&Pair, usize)], u: &[f64], motions: impl ExactSizeIterator<Item = Vec<f64>>) -> Self {
+        let gaps: Vec<f64> = points.iter().map(|(pair, i)| pair.opening(*i, u) - pair.law().reach()).collect();
+        let touch: Vec<f64> = points.iter().map(|(pair, _)| pair.touch).collect();
         let mut rates = DMatrix::zeros(gaps.len(), motions.len());
         for (k, field) in motions.enumerate() {
-            points().enumerate().for_each(|(row, (pair, i))| rates[(row, k)] = pair.rate(i, &field));
+            points.iter().enumerate().for_each(|(row, (pair, i))| rates[(row, k)] = pair.rate(*i, &field));
         }
         RigidContact { gaps: gaps.into(), touch: touch.into(), rates }
     }
@@ -118,6 +134,10 @@ impl RigidContact {
             }
         }
     }
+}
+
+fn every_point(pairs: &[Pair]) -> Vec<(&Pair, usize)> {
+    pairs.iter().flat_map(|pair| (0..pair.points.len()).map(move |i| (pair, i))).collect()
 }
 
 #[cfg(test)]

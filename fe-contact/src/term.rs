@@ -60,6 +60,13 @@ impl Pair {
         (answer, if closed { ContactStatus::Closed } else { ContactStatus::Open })
     }
 
+    /// True when a point presses at `u`, and goes on to press as much on one side of its gap at least.
+    pub(crate) fn on_plateau(&self, point: usize, u: &[f64]) -> bool {
+        let gap = self.opening(point, u);
+        let sides = [gap - self.touch, gap + self.touch].map(|g| self.law.respond(g));
+        sides.iter().any(|side| side.pressure > 0.0 && side.stiffness <= 0.0)
+    }
+
     fn blocks(&self, pattern: &Arc<Pattern>) -> Arc<Blocks> {
         let mut kept = self.blocks.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
         match &*kept {
@@ -127,5 +134,19 @@ impl Term for Pair {
             }
         }
         Ok(())
+    }
+
+    fn stiffen(&self, u: &[f64], stiffness: &mut BlockMatrix) -> bool {
+        let blocks = self.blocks(&stiffness.pattern);
+        let mut done = false;
+        for (i, p) in self.points.iter().enumerate() {
+            let (answer, status) = self.respond(self.opening(i, u));
+            if status != ContactStatus::Open && answer.stiffness <= 0.0 {
+                let lacking = self.law.typical_stiffness() - answer.stiffness;
+                self.add_stiffness(i, lacking * p.measure.value(), &blocks, stiffness);
+                done = true;
+            }
+        }
+        done
     }
 }

@@ -52,4 +52,10 @@ pub trait Term: Send + Sync {
     fn is_linear(&self) -> bool {
         false
     }
+
+    /// Adds stiffness at a displacement where the term acts with a force and without stiffness of its own, for Newton's
+    /// method to find on from where nothing else holds; true when there was such a place.
+    fn stiffen(&self, _u: &[f64], _stiffness: &mut BlockMatrix) -> bool {
+        false
+    }
 }

@@ -50,46 +50,80 @@ pub enum Approach {
     Unheld(usize, RigidMotion),
 }
 
-/// Moves free bodies together along their free motions, the way their loads drive them, until contact holds them.
-pub fn approach(terms: &Terms, free: &[FreeBody], u: &[f64], external: &[f64]) -> Approach {
-    let each: Vec<(usize, RigidMotion)> =
-        free.iter().enumerate().flat_map(|(b, body)| body.motions.iter().map(move |m| (b, *m))).collect();
-    let body = |b: usize| &terms.bodies[free[b].body];
-    let field = |(b, motion): &(usize, RigidMotion)| body(*b).field(&terms.structure, &terms.freedoms, motion);
-    let contact = RigidContact::new(&terms.pairs, u, each.iter().map(field));
-    // Of amounts of all motions: what each body does.
-    let by_body = |amounts: &[f64]| {
-        let mut sums = vec![[0.0; 6]; free.len()];
-        for ((b, motion), amount) in each.iter().zip(amounts) {
+/// The free motions of all free bodies.
+struct Motions<'a> {
+    terms: &'a Terms,
+    free: &'a [FreeBody],
+    /// Each with the index of its free body.
+    each: Vec<(usize, RigidMotion)>,
+}
+
+impl<'a> Motions<'a> {
+    fn new(terms: &'a Terms, free: &'a [FreeBody]) -> Self {
+        let each = free.iter().enumerate().flat_map(|(b, body)| body.motions.iter().map(move |m| (b, *m)));
+        Motions { terms, free, each: each.collect() }
+    }
+
+    fn body(&self, b: usize) -> &'a Body {
+        &self.terms.bodies[self.free[b].body]
+    }
+
+    fn fields(&self) -> impl ExactSizeIterator<Item = Vec<f64>> {
+        self.each.iter().map(|(b, motion)| self.body(*b).field(&self.terms.structure, &self.terms.freedoms, motion))
+    }
+
+    /// Of amounts of all motions: what each body does.
+    fn by_body(&self, amounts: &[f64]) -> Vec<RigidMotion> {
+        let mut sums = vec![[0.0; 6]; self.free.len()];
+        for ((b, motion), amount) in self.each.iter().zip(amounts) {
             (0..6).for_each(|c| sums[*b][c] += amount * motion[c]);
         }
         sums
-    };
-    let size = |b: usize, m: &RigidMotion| {
-        let scaled = m.iter().enumerate().map(|(c, v)| if c < 3 { *v } else { v * body(b).size });
-        scaled.map(|v| v * v).sum::<f64>().sqrt()
-    };
-    let most = |motions: &[RigidMotion]| {
-        (0..motions.len()).max_by(|&a, &b| size(a, &motions[a]).total_cmp(&size(b, &motions[b]))).unwrap_or(0)
-    };
-    if let Some(amounts) = contact.unheld().first() {
-        let motions = by_body(amounts);
-        let b = most(&motions);
-        return Approach::Unheld(b, motions[b]);
     }
-    let forces: Vec<f64> = each.iter().map(|motion| drive(body(motion.0), &field(motion), terms, external)).collect();
+
+    /// The body that moves most, its motion and how large that is.
+    fn most(&self, amounts: &[f64]) -> (usize, RigidMotion, f64) {
+        let size = |(b, m): (usize, RigidMotion)| {
+            let scaled = m.iter().enumerate().map(|(c, v)| if c < 3 { *v } else { v * self.body(b).size });
+            (b, m, scaled.map(|v| v * v).sum::<f64>().sqrt())
+        };
+        let sized = self.by_body(amounts).into_iter().enumerate().map(size);
+        sized.max_by(|a, b| a.2.total_cmp(&b.2)).unwrap_or((0, [0.0; 6], 0.0))
+    }
+}
+
+/// Moves free bodies together along their free motions, the way their loads drive them, until contact holds them.
+pub fn approach(terms: &Terms, free: &[FreeBody], u: &[f64], external: &[f64]) -> Approach {
+    let motions = Motions::new(terms, free);
+    let contact = RigidContact::new(&terms.pairs, u, motions.fields());
+    if let Some(amounts) = contact.unheld().first() {
+        let (b, motion, _) = motions.most(amounts);
+        return Approach::Unheld(b, motion);
+    }
+    let fields = motions.each.iter().zip(motions.fields());
+    let forces: Vec<f64> = fields.map(|((b, _), field)| drive(motions.body(*b), &field, terms, external)).collect();
     match contact.settle(&forces) {
         Rest::At(amounts) => {
-            let moved = by_body(&amounts).into_iter().enumerate();
+            let moved = motions.by_body(&amounts).into_iter().enumerate();
             Approach::Moved(moved.filter(|(_, m)| m.iter().any(|v| *v != 0.0)).collect())
         }
         Rest::Nowhere(direction) => {
-            let motions = by_body(&direction);
-            let b = most(&motions);
-            let length = size(b, &motions[b]);
-            Approach::Lost(b, [0, 1, 2].map(|c| motions[b][c] / length))
+            let (b, motion, size) = motions.most(&direction);
+            Approach::Lost(b, [0, 1, 2].map(|c| motion[c] / size))
         }
     }
+}
+
+/// A free body (index into the free ones) and a motion of it that changes no force at the equilibrium `u`: all points
+/// that hold it press on a plateau of their law, and it might as well stand elsewhere.
+pub fn undecided(terms: &Terms, free: &[FreeBody], u: &[f64]) -> Option<(usize, RigidMotion)> {
+    if free.is_empty() {
+        return None;
+    }
+    let motions = Motions::new(terms, free);
+    let contact = RigidContact::answering(&terms.pairs, u, motions.fields())?;
+    let (b, motion, _) = motions.most(contact.unheld().first()?);
+    Some((b, motion))
 }
 
 /// Force of the loads along a motion; a load across it leaves round-off, which is nothing.

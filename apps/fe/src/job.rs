@@ -1,6 +1,6 @@
 //! The straight line: deck, model, terms; step by step, increment by increment; results and certificate.
 
-use crate::approach::{Approach, FreeBody, approach, free_bodies, in_words};
+use crate::approach::{Approach, FreeBody, approach, free_bodies, in_words, undecided};
 use crate::certificate::{Certificate, RunCertificate};
 use crate::course::Course;
 use crate::number::scientific;
@@ -161,7 +161,7 @@ impl StepRun<'_, '_> {
         let period = self.step.increments.period;
         self.observer.event(Event::Step { number: self.number, plan: &plan, period });
         let mut size = IncrementSize::new(self.step.increments, self.step.controls);
-        let ended = self.increments(&mut size, &mut procedure, at, &fixed, certificate);
+        let ended = self.increments(&mut size, &mut procedure, at, (&fixed, &free), certificate);
         certificate.seconds.procedure += procedure.seconds();
         certificate.factorisations += procedure.factorisations();
         ended
@@ -172,7 +172,7 @@ impl StepRun<'_, '_> {
         size: &mut IncrementSize,
         procedure: &mut StaticGeneral,
         at: &mut Converged,
-        fixed: &[bool],
+        (fixed, free): (&[bool], &[FreeBody]),
         run: &mut RunCertificate,
     ) -> Result<(), JobFailure> {
         loop {
@@ -185,6 +185,7 @@ impl StepRun<'_, '_> {
                 Ok((next, convergence)) => {
                     *at = next;
                     size.accept(attempt, convergence.equilibrium_iterations);
+                    self.must_be_decided(free, at)?;
                     let states: Vec<_> = self.terms.pairs.iter().map(|pair| pair.state(&at.u)).collect();
                     let (structure, freedoms) = (&self.terms.structure, &self.terms.freedoms);
                     let certificate = Certificate::of(structure, freedoms, at, &convergence, &states, fixed);
@@ -265,6 +266,17 @@ impl StepRun<'_, '_> {
                 Err(self.failure(0.0, reason, "hold it by *BOUNDARY".into()))
             }
         }
+    }
+
+    /// Refuses an equilibrium in which a free body might as well stand elsewhere.
+    fn must_be_decided(&self, free: &[FreeBody], at: &Converged) -> Result<(), JobFailure> {
+        let Some((b, motion)) = undecided(self.terms, free, &at.u) else { return Ok(()) };
+        let body = &self.terms.bodies[free[b].body];
+        let (name, way) = (self.terms.body_name(body), in_words(&motion, body.size));
+        let reason =
+            format!("{name} has no unique position: its load stands on a plateau of the law that holds it, free {way}");
+        let help = "give the law a slope there, change the load a little, or hold the body by *BOUNDARY";
+        Err(self.failure(at.step_time, reason, help.into()))
     }
 
     fn gave_up(&self, at: &Converged, failure: &Failure) -> JobFailure {

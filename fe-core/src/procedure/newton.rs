@@ -29,6 +29,9 @@ pub struct Iterate {
 /// A residual below `R_l` of the mean force needs no test of the correction (the decks' R_l).
 const LINEAR_INCREMENT: f64 = 1e-8;
 
+/// A residual above this part of the last one does not fall any more.
+const STAGNANT: f64 = 0.5;
+
 /// What to do after an iteration.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Verdict {
@@ -43,7 +46,10 @@ pub struct Newton {
     controls: Controls,
     status_iterations: usize,
     equilibrium_iterations: usize,
+    /// Residual of the last iteration without a change of status, since the last one with.
     last_residual: f64,
+    /// Residual of the last iteration.
+    before: f64,
     grown: usize,
     /// Mean force of the earlier increments of the step: sum and count.
     past: (f64, usize),
@@ -57,6 +63,7 @@ impl Newton {
             status_iterations: 0,
             equilibrium_iterations: 0,
             last_residual: f64::INFINITY,
+            before: f64::INFINITY,
             grown: 0,
             past,
         }
@@ -70,9 +77,10 @@ impl Newton {
             self.status_iterations += 1;
             let most = if c.convert_sdi { c.i_s_converted } else { c.i_s };
             // A point that flips with a pressure below round-off leaves an equilibrium as it was.
-            if now.residual <= now.round_off {
+            if self.settled(now) {
                 return Ok(Verdict::Converged);
             }
+            self.before = now.residual;
             if self.status_iterations > most {
                 let iterations = self.status_iterations;
                 return Err(Reject::StatusChanges { iterations, changes: now.status_changes });
@@ -92,6 +100,7 @@ impl Newton {
         let foreseen = self.foreseen(now, mean);
         self.grown = if now.residual > self.last_residual { self.grown + 1 } else { 0 };
         self.last_residual = now.residual;
+        self.before = now.residual;
         if iterations > c.i_0 && self.grown >= 2 {
             return Err(Reject::Diverging { iterations, residual: ratio });
         }
@@ -99,6 +108,12 @@ impl Newton {
             return Err(Reject::NoConvergence { iterations, residual: ratio });
         }
         Ok(Verdict::GoOn)
+    }
+
+    /// Round-off explains the residual; where that is much, another iteration must not help any more.
+    fn settled(&self, now: &Iterate) -> bool {
+        let little = now.residual <= self.controls.balance * now.largest_force;
+        now.residual <= now.round_off && (little || now.residual > STAGNANT * self.before)
     }
 
     /// Largest residual [F] that is allowed.
@@ -124,7 +139,7 @@ impl Newton {
     /// Residual and correction are small enough.
     fn balanced(&self, now: &Iterate, mean: f64) -> bool {
         let c = self.controls;
-        if now.residual <= now.round_off {
+        if self.settled(now) {
             return true;
         }
         let force = now.residual <= self.allowed(now, mean);
@@ -183,6 +198,16 @@ mod tests {
         let mut newton = Newton::new(Controls::default(), (0.0, 0));
         assert_eq!(newton.judge(&iterate(5e-9, 0)), Ok(Verdict::GoOn));
         assert_eq!(newton.judge(&iterate(5e-10, 0)), Ok(Verdict::Converged));
+    }
+
+    /// Round-off above what the controls ask for (1e-8 of the largest force): the residual falls as far as it can.
+    #[test]
+    fn large_round_off_is_taken_when_it_stays() {
+        let mut newton = Newton::new(Controls::default(), (0.0, 0));
+        let rough = |residual| Iterate { round_off: 1e-3, ..iterate(residual, 0) };
+        assert_eq!(newton.judge(&rough(9e-4)), Ok(Verdict::GoOn));
+        assert_eq!(newton.judge(&rough(4e-5)), Ok(Verdict::GoOn));
+        assert_eq!(newton.judge(&rough(3e-5)), Ok(Verdict::Converged));
     }
 
     #[test]

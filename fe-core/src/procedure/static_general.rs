@@ -87,32 +87,46 @@ impl<'a> StaticGeneral<'a> {
         evaluation
     }
 
-    /// Solves K δ = −r on the free freedoms; the prescribed ones move by `given`. Returns δ and the slope δ·r of the
-    /// potential along it: 0 where a prescribed motion is carried, which is taken whole.
-    fn correction(&mut self, evaluation: Evaluation, given: &[f64]) -> Result<(Vec<f64>, f64), Reject> {
-        let mut delta = given.to_vec();
-        let Some(tangent) = evaluation.tangent.as_ref().or(self.system.linear.as_ref()) else {
-            return Ok((delta, 0.0));
-        };
+    /// Factors the tangent of an evaluation at `u`, unless it stands factored. Where it is singular the terms may
+    /// stiffen it.
+    fn factor(&mut self, u: &[f64], evaluation: &mut Evaluation) -> Result<(), Reject> {
         let start = Instant::now();
+        let Some(tangent) = evaluation.tangent.as_ref().or(self.system.linear.as_ref()) else { return Ok(()) };
         let current = match (&self.factored, &evaluation.tangent) {
             (Factored::Linear, None) => true,
             (Factored::Tangent(values), Some(tangent)) => *values == tangent.values,
             _ => false,
         };
-        if !current {
-            let freedoms = &self.system.scene.freedoms;
-            let factored = match std::mem::replace(&mut self.factored, Factored::Nothing) {
-                Factored::Nothing => self.solver.factor(tangent),
-                Factored::Linear | Factored::Tangent(_) => self.solver.factor_again(tangent),
-            };
-            factored.map_err(|singular| Reject::Singular {
-                node: freedoms.node(singular.freedom),
-                component: freedoms.component(singular.freedom),
-            })?;
-            self.factorisations += 1;
+        if current {
+            return Ok(());
         }
+        let mut factored = match std::mem::replace(&mut self.factored, Factored::Nothing) {
+            Factored::Nothing => self.solver.factor(tangent),
+            Factored::Linear | Factored::Tangent(_) => self.solver.factor_again(tangent),
+        };
+        if let (Err(_), Some(tangent)) = (factored, &mut evaluation.tangent)
+            && self.system.stiffen(u, tangent)
+        {
+            factored = self.solver.factor(tangent);
+        }
+        let freedoms = &self.system.scene.freedoms;
+        factored.map_err(|singular| Reject::Singular {
+            node: freedoms.node(singular.freedom),
+            component: freedoms.component(singular.freedom),
+        })?;
+        self.factorisations += 1;
         self.seconds.factor += start.elapsed().as_secs_f64();
+        Ok(())
+    }
+
+    /// Solves K δ = −r, evaluated at `u`, on the free freedoms; the prescribed ones move by `given`. Returns δ and the
+    /// slope δ·r of the potential along it: 0 where a prescribed motion is carried, which is taken whole.
+    fn correction(&mut self, u: &[f64], mut evaluation: Evaluation, given: &[f64]) -> Result<(Vec<f64>, f64), Reject> {
+        let mut delta = given.to_vec();
+        self.factor(u, &mut evaluation)?;
+        let Some(tangent) = evaluation.tangent.as_ref().or(self.system.linear.as_ref()) else {
+            return Ok((delta, 0.0));
+        };
         let start = Instant::now();
         let mut right = vec![0.0; delta.len()];
         let carries = given.iter().any(|&g| g != 0.0);
@@ -258,7 +272,7 @@ impl Procedure for StaticGeneral<'_> {
         let mut now = self.evaluate(&step, &u, &mut new)?;
         let mut newton = Newton::new(self.controls, self.mean_forces);
         loop {
-            let (delta, slope) = self.correction(now, &given)?;
+            let (delta, slope) = self.correction(&u, now, &given)?;
             given.fill(0.0);
             let length;
             (length, now) = self.search(&step, &mut u, &delta, slope, &mut new)?;

@@ -148,6 +148,11 @@ impl<'a> System<'a> {
         }
         Ok(Evaluation { residual, nonlinear, tangent, linear_energy, nonlinear_energy, status_changes })
     }
+
+    /// Lets the terms stiffen a tangent that is singular; true when one did.
+    pub fn stiffen(&self, u: &[f64], tangent: &mut BlockMatrix) -> bool {
+        self.scene.terms.iter().fold(false, |done, term| term.stiffen(u, tangent) || done)
+    }
 }
 
 /// Signs without a pattern: the top bit of the index times the golden ratio.
