@@ -21,7 +21,8 @@ const ROUND_OFF: f64 = 16.0 * f64::EPSILON;
 const OVERSHOOT: f64 = 0.5;
 
 /// A step falls short when no contact changed status on it and the residual along it keeps more than this part of its
-/// size: a point within round-off of touching has the stiffness of the closed side, which may hold back one that leaves.
+/// size: a point within round-off of touching has the stiffness of the closed side, which may hold back one that leaves,
+/// and a law on a plateau has none, of which nothing tells how far to go.
 const UNDERSHOOT: f64 = 0.9;
 
 /// Most evaluations of one line search.
