@@ -110,9 +110,10 @@ impl Newton {
         Ok(Verdict::GoOn)
     }
 
-    /// Round-off explains the residual; where that is much, another iteration must not help any more.
+    /// Round-off explains the residual; where that is much, and yet not all there is, another iteration must not help
+    /// any more.
     fn settled(&self, now: &Iterate) -> bool {
-        let little = now.residual <= self.controls.balance * now.largest_force;
+        let little = now.residual <= self.controls.balance * now.largest_force || now.round_off >= now.largest_force;
         now.residual <= now.round_off && (little || now.residual > STAGNANT * self.before)
     }
 
