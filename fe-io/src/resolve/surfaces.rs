@@ -23,7 +23,7 @@ pub fn read(entries: &[Entry<'_>], scene: &mut Scene<'_>, diagnostics: &mut Diag
         let before = diagnostics.faults();
         let surface = match entry.name("TYPE").unwrap_or_default().as_str() {
             "" | "ELEMENT" => faces(entry, &name, scene, diagnostics),
-            "NODE" => nodes(entry, scene, diagnostics),
+            "NODE" => nodes(entry, &name, scene, diagnostics),
             kind => rigid::surface(entry, &name, kind, scene, diagnostics).map(Surface::Rigid),
         };
         let surface = match surface {
@@ -148,8 +148,9 @@ fn face_number(token: Token<'_>, diagnostics: &mut Diagnostics) -> Option<u8> {
     None
 }
 
-fn nodes(entry: &Entry<'_>, scene: &Scene<'_>, diagnostics: &mut Diagnostics) -> Option<Surface> {
+fn nodes(entry: &Entry<'_>, name: &str, scene: &Scene<'_>, diagnostics: &mut Diagnostics) -> Option<Surface> {
     let mut nodes: Vec<(u32, Option<f64>)> = Vec::new();
+    let before = diagnostics.faults();
     for line in scene.deck.lines(entry.card) {
         let row = Row::read(line, line_fields(entry, 1), diagnostics);
         let (Some(token), true) = (row.token(0), row.sound) else { continue };
@@ -160,9 +161,13 @@ fn nodes(entry: &Entry<'_>, scene: &Scene<'_>, diagnostics: &mut Diagnostics) ->
     nodes.sort_by_key(|(node, _)| *node);
     nodes.dedup_by_key(|(node, _)| *node);
     if nodes.is_empty() {
-        diagnostics.push(Diagnostic::error(entry.card.span, "this surface has no nodes"));
+        // An empty or a missing set was told already.
+        if diagnostics.faults() == before {
+            diagnostics.push(Diagnostic::error(entry.card.span, format!("surface `{name}` has no nodes")));
+        }
+        return None;
     } else if nodes.len() < listed {
-        let title = format!("{} nodes of this surface are listed twice", listed - nodes.len());
+        let title = format!("{} nodes of surface `{name}` are listed twice", listed - nodes.len());
         diagnostics.push(Diagnostic::warning(entry.card.span, title).label("each counts once, with its first area"));
     }
     Some(Surface::Nodes(nodes))

@@ -200,6 +200,19 @@ pub fn empty() -> Vec<Scene> {
             ("*SOLID SECTION, ELSET=UP_BLOCK", "*ELSET, ELSET=UP_BLOCKS\n*SOLID SECTION, ELSET=UP_BLOCKS"),
             &["element set `UP_BLOCKS` is empty", "`UP_BLOCK`"],
         ),
+        refused(
+            "a surface of nodes on an empty set",
+            (
+                "*SURFACE INTERACTION",
+                "*NSET, NSET=UP_BLOCS\n*SURFACE, NAME=S, TYPE=NODE\nUP_BLOCS\n*SURFACE INTERACTION",
+            ),
+            &["node set `UP_BLOCS` is empty", "`UP_BLOCK`"],
+        ),
+        refused(
+            "a surface of nodes without nodes",
+            ("*SURFACE INTERACTION", "*SURFACE, NAME=BARE, TYPE=NODE\n*SURFACE INTERACTION"),
+            &["surface `BARE` has no nodes"],
+        ),
         Scene::new("a physical group that the mesh lacks", |place| {
             let mesh = Block::hex8([1, 1, 1]).mesh();
             let written = place.write("cube.msh", &gmsh::write(&mesh, gmsh::Encoding::Text));

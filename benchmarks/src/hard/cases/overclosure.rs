@@ -25,6 +25,7 @@ pub fn scenes() -> Vec<Scene> {
     scenes.push(resolved(0.5 * ELEMENT, true));
     scenes.push(too_deep("SURFACE TO SURFACE"));
     scenes.push(too_deep("NODE TO SURFACE"));
+    scenes.push(ever_deeper());
     scenes.push(one_node("NODE TO SURFACE"));
     scenes.push(one_node("SURFACE TO SURFACE"));
     scenes.push(Scene::waits("allowed overlap ramped to 0", "CONTACT INTERFERENCE"));
@@ -73,6 +74,22 @@ fn too_deep(kind: &'static str) -> Scene {
         let patch = Patch { kind, ..overlapping(1.5 * ELEMENT) };
         let run = place.run("patch", &patch.held(&patch.mesh(), Order::AsMade));
         Finding::refused(&run, &["node ", "7.5", "UP_YMIN", "LOW_YMAX"])
+    })
+}
+
+/// Past the believed half element, through the whole lower block, and out of it below: refused at every depth.
+fn ever_deeper() -> Scene {
+    Scene::new("patch 4/4, 0.26 to 2.5 deep, both kinds", |place| {
+        let depths = [0.26, 0.5, 0.999, 1.0, 1.001, 1.5, 2.0, 2.5];
+        let kinds = ["SURFACE TO SURFACE", "NODE TO SURFACE"];
+        let each = depths.iter().enumerate().flat_map(|(i, &depth)| kinds.map(|kind| (i, depth, kind)));
+        let judged = each.map(|(i, depth, kind)| {
+            let patch = Patch { kind, ..overlapping(depth) };
+            let name = format!("{}_{i}", kind.split(' ').next().unwrap_or_default().to_lowercase());
+            let run = place.run(&name, &patch.held(&patch.mesh(), Order::AsMade));
+            Finding::refused(&run, &["node ", "UP_YMIN", "LOW_YMAX", "deep"])
+        });
+        judged.reduce(Finding::and).unwrap_or_default()
     })
 }
 
