@@ -18,7 +18,7 @@ fn dyadic(x: f64) -> f64 {
 fn stacked(by: f64) -> Scene {
     let mut scene = Scene::default();
     let moved = move |x: Vec3| x.map(|x| dyadic(x) + by);
-    scene.block(C3D8, [2, 2, 1], move |r| moved(r));
+    scene.block(C3D8, [2, 2, 1], moved);
     scene.block(C3D8, [3, 3, 1], move |r| moved(r + Vec3::z() * (1.0 - 1e-3)));
     scene
 }
