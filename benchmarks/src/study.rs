@@ -65,7 +65,7 @@ pub fn study(problem: &dyn Problem, options: &Options, out: &mut dyn Write) -> R
         "{}; commit {}; {} threads; medians of {} runs\n",
         origin.machine, origin.commit, options.threads, options.runs
     )?;
-    write!(out, "{:<24}{:>6}{:>10}", "curve", "n", "unknowns")?;
+    write!(out, "{:<30}{:>6}{:>10}", "curve", "n", "unknowns")?;
     problem.norms().iter().try_for_each(|norm| write!(out, "{:>w$}", norm.name, w = width(norm)))?;
     writeln!(out, "{:>10}{:>10}{:>9}", "wall s", "cpu s", "MB")?;
     let mut rows = Vec::new();
@@ -102,7 +102,7 @@ pub fn study(problem: &dyn Problem, options: &Options, out: &mut dyn Write) -> R
 /// The medians of the runs of one scene.
 fn print_scene(out: &mut dyn Write, norms: &[Norm], rows: &[Row]) -> std::io::Result<()> {
     let Some(first) = rows.first() else { return Ok(()) };
-    write!(out, "{:<24}{:>6}{:>10}", first.curve, first.n, first.unknowns)?;
+    write!(out, "{:<30}{:>6}{:>10}", first.curve, first.n, first.unknowns)?;
     let mut errors = first.errors.iter().zip(norms);
     errors.try_for_each(|(error, norm)| write!(out, "{error:>w$.3e}", w = width(norm)))?;
     let cost = medians(rows);

@@ -58,10 +58,10 @@ impl Problem for HertzBall {
         [
             (ElementType::CAX4, SURFACE, vec![2, 4, 8, 16, 32, 64]),
             (ElementType::CAX4, NODE, vec![2, 4, 8, 16, 32, 64]),
-            (ElementType::C3D8, SURFACE, vec![2, 4, 8, 16]),
-            (ElementType::C3D8, NODE, vec![2, 4, 8, 16]),
-            (ElementType::C3D4, SURFACE, vec![2, 4, 8, 16]),
-            (ElementType::C3D10, SURFACE, vec![2, 4, 8]),
+            (ElementType::C3D8, SURFACE, vec![2, 4, 8, 12]),
+            (ElementType::C3D8, NODE, vec![2, 4, 8, 12]),
+            (ElementType::C3D4, SURFACE, vec![2, 4, 8, 12]),
+            (ElementType::C3D10, SURFACE, vec![2, 4, 6]),
         ]
         .map(|(element, variant, sizes)| Curve { element, variant, sizes })
         .to_vec()

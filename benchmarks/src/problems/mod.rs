@@ -28,3 +28,6 @@ pub fn find(name: &str) -> Result<Box<dyn Problem>, String> {
     let known = || format!("no problem is called `{name}`; there are {}", names.join(", "));
     all().into_iter().find(|problem| problem.name() == name).ok_or_else(known)
 }
+
+#[cfg(test)]
+mod tests;
