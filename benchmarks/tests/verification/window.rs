@@ -84,13 +84,14 @@ fn below(errors: &[(f64, f64)], constant: f64, order: i32) {
     errors.iter().for_each(|(h, e)| assert!(*e <= constant * h.powi(order), "{}", line(errors)));
 }
 
-/// With a stiffness 80 M/h² (a = 1) energy within 0.5/n, displacement 0.09/n², nodal pressure 0.45/n; twice that on
-/// triangles. Rates 1, 2 and 1.
+/// With a stiffness 80 M/h² (a = 1) energy within 0.5/n, displacement 0.09/n², nodal pressure 0.45/n: of nodal contact
+/// on squares, and met by means over the surface too; twice that on triangles, and twice again in the displacement for
+/// means on triangles, 0.18/n² to 0.22/n². Rates 1, 2 and 1.
 fn stiff(element: ElementType, meshes: &[usize], kind: &str) {
     let [energy, displacement, pressure, _] = study(element, meshes, kind, |n| Some(80.0 * modulus() * n * n));
     let factor = if element == CPE3 { 2.0 } else { 1.0 };
     below(&energy, 0.5 * factor, 1);
-    below(&displacement, 0.09 * factor, 2);
+    below(&displacement, 0.09 * if kind == MEANS { factor * factor } else { factor }, 2);
     below(&pressure, 0.45 * factor, 1);
     assert!(last_three(&energy) > 0.9, "{}", line(&energy));
     assert!(last_three(&displacement) > 1.9, "{}", line(&displacement));
