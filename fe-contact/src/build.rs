@@ -1,9 +1,10 @@
 //! How a definition becomes a pair: surfaces checked, points found, the law resolved.
 
 use crate::closest::EXTENSION;
+use crate::enforce::{Multipliers, TOUCH};
 use crate::error::PairError;
 use crate::facet::{Facet, Vec3};
-use crate::interaction::{Enforcement, Interaction, NormalBehavior};
+use crate::interaction::{Enforcement, Interaction, NormalBehavior, Penalty};
 use crate::law::NormalLaw;
 use crate::law::linear::Linear;
 use crate::node_to_surface::{self, Node};
@@ -13,7 +14,7 @@ use crate::point::{ContactPoint, Measure};
 use crate::search::{Bounds, Grid};
 use crate::sides::{Prepared, characteristic_length, label};
 use crate::stiffness;
-use crate::summary::{MeasureKind, PenaltySummary, Summary};
+use crate::summary::{Means, MeasureKind, PenaltySummary, Summary};
 use crate::surface::{Main, Secondary};
 use crate::surface_to_surface::{self, Constraints, RigidSide};
 use fe_core::{Freedoms, Structure};
@@ -61,6 +62,8 @@ impl Pair {
             surfaces: (definition.secondary_name.clone(), definition.main_name.clone()),
             places: points.iter().map(|p| p.nodes.iter().map(place).collect()).collect(),
             blocks: Mutex::default(),
+            multipliers: penalty.and_then(|penalty| multipliers(penalty, facet_length(&sides))),
+            no_separation: interaction.no_separation,
             law,
             touch: TOUCH * model_size(structure),
             summary: Summary {
@@ -80,20 +83,41 @@ impl Pair {
     }
 }
 
-/// A gap that near to the kink of the law, of the model's size, touches [-].
-const TOUCH: f64 = 1e-12;
-
 /// Diagonal [L] of the box around all points.
 fn model_size(structure: &Structure) -> f64 {
     let boxes = structure.mesh.points.iter().map(|&p| Bounds::around(&[p.into()], 0.0));
     boxes.reduce(|a, b| a.union(&b)).map_or(0.0, |all| all.diagonal())
 }
 
+/// The multipliers of an enforcement that has them.
+fn multipliers(penalty: PenaltySummary, length: f64) -> Option<Multipliers> {
+    let allowed = match penalty.means {
+        Means::Penalty => return None,
+        Means::AugmentedLagrange(allowed) => Some(allowed),
+        Means::Multipliers => None,
+    };
+    Some(Multipliers { slope: penalty.stiffness, length, allowed })
+}
+
+/// Overclosure [L] that augmentation leaves: a thousandth of the secondary facets' length, or of the main ones', larger
+/// where the penalty is softened by a factor below 1 (Abaqus Analysis User's Manual, Contact constraint enforcement
+/// methods).
+fn allowed(sides: &Prepared, scale: f64) -> f64 {
+    1e-3 * facet_length(sides) / scale.min(1.0)
+}
+
+/// Mean length [L] of the secondary facets, or of the main ones; 0 without any.
+fn facet_length(sides: &Prepared) -> f64 {
+    characteristic_length(&sides.secondary).or_else(|| characteristic_length(&sides.main)).unwrap_or(0.0)
+}
+
 fn check_numbers(interaction: &Interaction) -> Result<(), PairError> {
     let mut numbers = vec![("the thickness or area on its data line", interaction.measure)];
-    if let NormalBehavior::Hard(Enforcement::Penalty { stiffness, scale, .. }) = interaction.normal {
-        numbers.push(("the penalty stiffness", stiffness));
-        numbers.push(("the scale factor of the penalty stiffness", Some(scale)));
+    if let NormalBehavior::Hard(Enforcement::Penalty(penalty) | Enforcement::AugmentedLagrange(penalty)) =
+        interaction.normal
+    {
+        numbers.push(("the penalty stiffness", penalty.stiffness));
+        numbers.push(("the scale factor of the penalty stiffness", Some(penalty.scale)));
     }
     for (what, value) in numbers {
         if let Some(value) = value
@@ -256,14 +280,25 @@ fn resolve(
 ) -> Result<Resolved, PairError> {
     let each = [&sides.secondary, &sides.main].map(|facets| stiffness::beneath(structure, facets));
     let beneath = each.into_iter().flatten().reduce(f64::min);
-    let (stiffness, clearance, scale) = match &interaction.normal {
+    let enforcement = match &interaction.normal {
         NormalBehavior::Softened(law) => return Ok((Arc::clone(law), None, beneath)),
-        NormalBehavior::Hard(Enforcement::Penalty { stiffness, clearance, scale }) => (*stiffness, *clearance, *scale),
+        NormalBehavior::Hard(enforcement) => *enforcement,
+    };
+    let finite = definition.discretization == Discretization::SurfaceToSurface && !definition.small_sliding;
+    let (means, Penalty { stiffness, clearance, scale }, factor) = match enforcement {
+        Enforcement::Usual if finite => (Means::Penalty, Penalty::default(), stiffness::PENALTY_FACTOR),
+        Enforcement::Usual | Enforcement::Direct => {
+            (Means::Multipliers, Penalty::default(), stiffness::AUGMENTED_FACTOR)
+        }
+        Enforcement::Penalty(penalty) => (Means::Penalty, penalty, stiffness::PENALTY_FACTOR),
+        Enforcement::AugmentedLagrange(penalty) => {
+            (Means::AugmentedLagrange(allowed(sides, penalty.scale)), penalty, stiffness::AUGMENTED_FACTOR)
+        }
     };
     let none =
         || PairError::NoStiffness { secondary: definition.secondary_name.clone(), main: definition.main_name.clone() };
-    let base = stiffness.or(beneath.map(|k| stiffness::PENALTY_FACTOR * k)).ok_or_else(none)?;
+    let base = stiffness.or(beneath.map(|k| factor * k)).ok_or_else(none)?;
     let slope = scale * base;
-    let penalty = PenaltySummary { stiffness: slope, by_default: stiffness.is_none(), scale, clearance };
+    let penalty = PenaltySummary { means, stiffness: slope, by_default: stiffness.is_none(), scale, clearance };
     Ok((Arc::new(Linear { slope, clearance }), Some(penalty), beneath))
 }

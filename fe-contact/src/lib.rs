@@ -6,6 +6,7 @@
 pub mod adjust;
 mod build;
 pub mod closest;
+mod enforce;
 pub mod error;
 pub mod facet;
 pub mod first_contact;

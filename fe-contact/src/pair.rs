@@ -1,5 +1,6 @@
 //! A contact pair: its definition, and the term that it becomes.
 
+use crate::enforce::Multipliers;
 use crate::facet::Vec3;
 use crate::law::NormalLaw;
 use crate::point::ContactPoint;
@@ -44,6 +45,8 @@ pub struct PairDefinition {
     pub interaction: usize,
     /// Discretization.
     pub discretization: Discretization,
+    /// True where the deck says that the surfaces hardly slide.
+    pub small_sliding: bool,
     /// Strain-free adjustment.
     pub adjust: Option<Adjust>,
 }
@@ -61,6 +64,10 @@ pub struct Pair {
     /// Where the points stand in the matrices of a step.
     pub(crate) blocks: Mutex<Option<Arc<Blocks>>>,
     pub(crate) law: Arc<dyn NormalLaw>,
+    /// Multipliers on top of the law.
+    pub(crate) multipliers: Option<Multipliers>,
+    /// True where points that closed may pull.
+    pub(crate) no_separation: bool,
     /// Gaps [L] this near to the law's kink touch.
     pub(crate) touch: f64,
     pub(crate) summary: Summary,

@@ -42,7 +42,7 @@ pub struct PairState {
     pub main: SideForce,
     /// Node and amount [L] of the largest overclosure; `None` when nothing overlaps.
     pub largest_overclosure: Option<(u32, f64)>,
-    /// Node and amount of the largest tensile pressure; `None` when nothing pulls.
+    /// Node and amount of the largest tensile pressure that is not allowed; `None` when nothing pulls.
     pub largest_tension: Option<(u32, f64)>,
     /// Area [L²] of closed points that have one: CAREA.
     pub closed_area: f64,
@@ -64,14 +64,14 @@ pub struct NodeValues {
 }
 
 impl Pair {
-    /// The state at a displacement.
-    pub fn state(&self, u: &[f64]) -> PairState {
+    /// The state at a displacement, with the history that belongs to it.
+    pub fn state(&self, u: &[f64], history: &[f64]) -> PairState {
         let mut state = PairState::default();
         let mut forces: BTreeMap<u32, Vec3> = BTreeMap::new();
         let mut turning = Vec3::zeros();
         for (i, p) in self.points.iter().enumerate() {
             let opening = self.opening(i, u);
-            let (answer, status) = self.respond(opening);
+            let (answer, status) = self.answer(i, opening, history, self.is_held(i, history));
             let force = answer.pressure * p.measure.value();
             state.points.push(PointState {
                 node: p.node,
@@ -81,7 +81,9 @@ impl Pair {
                 measure: p.measure,
             });
             keep_larger(&mut state.largest_overclosure, p.node, -opening);
-            keep_larger(&mut state.largest_tension, p.node, -answer.pressure);
+            if !self.no_separation {
+                keep_larger(&mut state.largest_tension, p.node, -answer.pressure);
+            }
             if let (ContactStatus::Closed | ContactStatus::Slipping, Measure::Area(a)) = (status, p.measure) {
                 state.closed_area += a;
             }
@@ -114,10 +116,10 @@ impl Pair {
     }
 
     /// Results at all nodes of the secondary surface, ascending; mid-side nodes take the mean of their corners.
-    pub fn node_values(&self, u: &[f64]) -> Vec<NodeValues> {
+    pub fn node_values(&self, state: &PairState) -> Vec<NodeValues> {
         let none = |node| NodeValues { node, opening: None, pressure: 0.0, status: ContactStatus::Open, measure: 0.0 };
         let mut values: BTreeMap<u32, NodeValues> = self.secondary_nodes().iter().map(|&n| (n, none(n))).collect();
-        for p in self.state(u).points {
+        for p in &state.points {
             let measure = p.measure.value();
             let v =
                 NodeValues { opening: Some(p.opening), pressure: p.pressure, status: p.status, measure, node: p.node };
@@ -129,7 +131,8 @@ impl Pair {
                 let (a, b) = (values[&nodes[m]], values[&nodes[(m + 1) % corners]]);
                 let opening = a.opening.zip(b.opening).map(|(a, b)| 0.5 * (a + b));
                 if opening.is_some() {
-                    let status = self.respond(opening.unwrap_or_default()).1;
+                    let unlike = a.status != b.status;
+                    let status = if unlike { self.respond(opening.unwrap_or_default()).1 } else { a.status };
                     let pressure = 0.5 * (a.pressure + b.pressure);
                     values.insert(middle, NodeValues { node: middle, opening, pressure, status, measure: 0.0 });
                 }

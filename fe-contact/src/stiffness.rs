@@ -5,9 +5,11 @@ use fe_core::Structure;
 use fe_mesh::{CellId, Face};
 use rayon::prelude::*;
 
-/// The default penalty over the stiffness beneath [-] (Abaqus Analysis User's Manual, Contact constraint
-/// enforcement methods).
+/// The default penalty over the stiffness beneath [-], alone and with multipliers (Abaqus Analysis User's Manual, Contact
+/// constraint enforcement methods).
 pub const PENALTY_FACTOR: f64 = 10.0;
+/// See [`PENALTY_FACTOR`].
+pub const AUGMENTED_FACTOR: f64 = 1000.0;
 
 /// Poisson's ratio beyond which a nearly incompressible element counts as no stiffer [-].
 const LARGEST_POISSON: f64 = 0.45;

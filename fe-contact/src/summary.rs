@@ -52,9 +52,22 @@ impl MeasureKind {
     }
 }
 
-/// The penalty of a hard pair, resolved.
+/// What makes contact hard.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Means {
+    /// A penalty alone.
+    Penalty,
+    /// A penalty, and multipliers until the overclosure is at most so much [L].
+    AugmentedLagrange(f64),
+    /// Multipliers, until the overclosure is that of rounding.
+    Multipliers,
+}
+
+/// The enforcement of a hard pair, resolved.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PenaltySummary {
+    /// What makes contact hard.
+    pub means: Means,
     /// Slope f K of pressure against overclosure (dimension by [`Summary::measure`]).
     pub stiffness: f64,
     /// True when K is the default.

@@ -1,14 +1,12 @@
 //! A pair as a term of the virtual work: δW = −Σ A p(g) δg over its points.
 
+use crate::enforce::{CLOSED, OPEN};
 use crate::law::NormalResponse;
 use crate::pair::Pair;
 use crate::point::{ContactPoint, ContactStatus};
+use fe_core::term::{Equilibrium, Overlap};
 use fe_core::{Assembly, BlockMatrix, Couplings, Motion, Pattern, Reject, Term};
 use std::sync::Arc;
-
-/// History of an open point, and of a closed one.
-const OPEN: f64 = 0.0;
-const CLOSED: f64 = 1.0;
 
 /// Where the points stand in matrices of one pattern.
 #[derive(Debug)]
@@ -105,10 +103,14 @@ impl Term for Pair {
     }
 
     fn history(&self) -> usize {
-        self.points.len()
+        if self.multipliers.is_some() { 2 * self.points.len() } else { self.points.len() }
     }
 
-    fn evaluate(&self, at: Motion, _old: &[f64], new: &mut [f64], out: &mut Assembly) -> Result<(), Reject> {
+    fn augment(&self, at: Equilibrium, old: &[f64], new: &mut [f64]) -> Option<Overlap> {
+        self.take_multipliers(at, old, new)
+    }
+
+    fn evaluate(&self, at: Motion, old: &[f64], new: &mut [f64], out: &mut Assembly) -> Result<(), Reject> {
         let blocks = out.stiffness.as_deref().map(|k| self.blocks(&k.pattern));
         for (i, p) in self.points.iter().enumerate() {
             let gap = self.opening(i, at.u);
@@ -116,7 +118,7 @@ impl Term for Pair {
                 let place = format!("the gaps of {}", self.name());
                 return Err(Reject::NotFinite { place, node: Some(p.node as usize) });
             }
-            let (answer, status) = self.respond(gap);
+            let (answer, status) = self.answer(i, gap, new, self.is_held(i, old));
             let measure = p.measure.value();
             out.energy += answer.energy * measure;
             let now = if status == ContactStatus::Open { OPEN } else { CLOSED };

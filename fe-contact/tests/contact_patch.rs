@@ -5,7 +5,7 @@
 mod common;
 
 use fe_contact::Pair;
-use fe_contact::interaction::{Enforcement, Interaction, NormalBehavior};
+use fe_contact::interaction::{Enforcement, Interaction, NormalBehavior, Penalty};
 use fe_contact::pair::{Discretization, PairDefinition};
 use fe_contact::surface::{Main, Secondary};
 use fe_core::element::{ElementType, Space};
@@ -19,7 +19,7 @@ use fe_mesh::generate::Block;
 use fe_mesh::{CellKind, Mesh};
 
 const PRESSURE: f64 = 10.0;
-const PENALTY: f64 = 1e5;
+const PENALTY: Enforcement = Enforcement::Penalty(Penalty { stiffness: Some(1e5), clearance: 0.0, scale: 1.0 });
 
 /// A block of one kind; up to the third axis for solids.
 fn block(kind: CellKind, n: [usize; 3], origin: f64) -> Mesh {
@@ -66,7 +66,7 @@ fn patch(elements: [ElementType; 2], lower: [usize; 3], upper: [usize; 3]) -> Pa
 }
 
 /// Largest deviation of any stress component at any integration point, and of any contact pressure, over the pressure.
-fn deviation(patch: &Patch) -> f64 {
+fn deviation(patch: &Patch, enforcement: Enforcement) -> f64 {
     let Patch { structure, axis, sides: [low, high] } = patch;
     let mesh = &structure.mesh;
     let freedoms = structure.freedoms(&[]);
@@ -79,10 +79,15 @@ fn deviation(patch: &Patch) -> f64 {
         main: Main::Faces(mesh.surfaces[&format!("LOW_{high}")].clone()),
         interaction: 0,
         discretization: Discretization::SurfaceToSurface,
+        small_sliding: true,
         adjust: None,
     };
-    let penalty = Enforcement::Penalty { stiffness: Some(PENALTY), clearance: 0.0, scale: 1.0 };
-    let interaction = Interaction { name: "I".into(), normal: NormalBehavior::Hard(penalty), measure: None };
+    let interaction = Interaction {
+        name: "I".into(),
+        normal: NormalBehavior::Hard(enforcement),
+        no_separation: false,
+        measure: None,
+    };
     let pair = Pair::new(structure, &freedoms, &definition, &interaction).unwrap();
     let mut prescribed = Vec::new();
     let mut hold = |node: u32, component: usize| {
@@ -125,7 +130,7 @@ fn deviation(patch: &Patch) -> f64 {
             }
         }
     }
-    let points = pair.state(&end.u).points;
+    let points = pair.state(&end.u, &end.history[end.history.len() - 1]).points;
     assert!(!points.is_empty());
     points.iter().for_each(|p| worst = worst.max((p.pressure - PRESSURE).abs() / PRESSURE));
     worst
@@ -137,7 +142,19 @@ fn A17_contact_patch() {
     for element in ElementType::ALL {
         for (below, above) in [(3, 4), (4, 4), (5, 4), (4, 3)] {
             let (lower, upper) = ([below, below, 2], [above, above, 2]);
-            let worst = deviation(&patch([element, element], lower, upper));
+            let worst = deviation(&patch([element, element], lower, upper), PENALTY);
+            assert!(worst < 1e-10, "{} {below}/{above}: {worst:.1e}", element.name());
+        }
+    }
+}
+
+/// By multipliers, too: they are the constant pressure, and no overclosure is left.
+#[test]
+fn A17_contact_patch_direct() {
+    for element in ElementType::ALL {
+        for (below, above) in [(3, 4), (5, 4)] {
+            let (lower, upper) = ([below, below, 2], [above, above, 2]);
+            let worst = deviation(&patch([element, element], lower, upper), Enforcement::Direct);
             assert!(worst < 1e-10, "{} {below}/{above}: {worst:.1e}", element.name());
         }
     }
@@ -148,7 +165,7 @@ fn A17_contact_patch() {
 fn A17_contact_patch_of_unlike_elements() {
     use ElementType::*;
     for pair in [[C3D8, C3D10], [C3D10, C3D8], [C3D4, C3D8], [C3D10, C3D4], [CPE3, CPE4], [CAX4, CAX3], [CPS4, CPS3]] {
-        let worst = deviation(&patch(pair, [3, 4, 2], [4, 5, 1]));
+        let worst = deviation(&patch(pair, [3, 4, 2], [4, 5, 1]), PENALTY);
         assert!(worst < 1e-10, "{} on {}: {worst:.1e}", pair[1].name(), pair[0].name());
     }
 }
@@ -164,7 +181,7 @@ fn D33_mesh_contrast() {
         (C3D8, [1, 1, 1], [100, 1, 1]),
         (C3D10, [25, 1, 1], [1, 1, 1]),
     ] {
-        let worst = deviation(&patch([element, element], lower, upper));
+        let worst = deviation(&patch([element, element], lower, upper), PENALTY);
         assert!(worst < 1e-9, "{} {lower:?} {upper:?}: {worst:.1e}", element.name());
     }
 }

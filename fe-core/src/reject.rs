@@ -11,6 +11,16 @@ pub enum Reject {
         /// Freedom of the node, from 0.
         component: usize,
     },
+    /// Multipliers did not bring the overclosures down.
+    #[error("after {passes} augmentations node {node} still overlaps by {overclosure:.3e}")]
+    NotEnforced {
+        /// Augmentations done.
+        passes: usize,
+        /// Node index of the largest overclosure.
+        node: usize,
+        /// Largest overclosure [L].
+        overclosure: f64,
+    },
     /// Newton did not converge within the iterations that the controls allow.
     #[error("no convergence in {iterations} iterations: residual {residual:.3e} of the largest force")]
     NoConvergence {

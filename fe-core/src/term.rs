@@ -30,6 +30,26 @@ pub struct Assembly<'a> {
     pub status_changes: usize,
 }
 
+/// An equilibrium whose constraints may not be met yet.
+#[derive(Clone, Copy)]
+pub struct Equilibrium<'a> {
+    /// Displacement since the start [L], over all freedoms.
+    pub u: &'a [f64],
+    /// Largest force [F] that is not balanced.
+    pub noise: f64,
+    /// Augmentations of this increment so far.
+    pub passes: usize,
+}
+
+/// The worst of the constraints that are not met yet.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Overlap {
+    /// Node.
+    pub node: usize,
+    /// Overclosure [L]; negative where a held point stands open.
+    pub overclosure: f64,
+}
+
 /// One term of the virtual work: a whole block of like elements, all loads of a kind, one contact pair.
 pub trait Term: Send + Sync {
     /// What messages call it.
@@ -46,6 +66,12 @@ pub trait Term: Send + Sync {
     /// Adds force, stiffness and energy at a motion. `old` is the history at the start of the increment, `new`
     /// what the previous evaluation of this increment left (at first a copy of `old`) and receives the new one.
     fn evaluate(&self, at: Motion, old: &[f64], new: &mut [f64], out: &mut Assembly) -> Result<(), Reject>;
+
+    /// Takes what the constraints of this term need to be met more closely into `new`, at an equilibrium; `None` where they
+    /// are met well enough. Another equilibrium is then looked for.
+    fn augment(&self, _at: Equilibrium, _old: &[f64], _new: &mut [f64]) -> Option<Overlap> {
+        None
+    }
 
     /// True when residual and stiffness are linear in u with a constant stiffness in the whole step and no
     /// force at u = 0: the stiffness is then assembled once a step and the force is its product with u.

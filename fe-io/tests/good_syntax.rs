@@ -1,6 +1,6 @@
 //! The ways in which decks write the same thing.
 
-use fe_contact::interaction::{Enforcement, NormalBehavior};
+use fe_contact::interaction::{Enforcement, NormalBehavior, Penalty};
 use fe_contact::pair::{Adjust, Discretization};
 use fe_io::model::{Quantity, Totals};
 use fe_io::{Deck, Library, Model, resolve};
@@ -56,7 +56,8 @@ fn included_files_and_meshes_are_looked_up_beside_the_deck() {
 fn contact_cards() {
     let model = model(include_str!("good/contact.inp"));
     assert_eq!(model.interactions.len(), 2);
-    let NormalBehavior::Hard(Enforcement::Penalty { stiffness, clearance, scale }) = model.interactions[0].normal
+    let NormalBehavior::Hard(Enforcement::Penalty(Penalty { stiffness, clearance, scale })) =
+        model.interactions[0].normal
     else {
         panic!("{:?}", model.interactions[0]);
     };

@@ -116,8 +116,8 @@ impl Source<'_> {
     /// A number of the secondary nodes; where pairs share a node, `merge` of theirs.
     fn contact(&self, value: impl Fn(&NodeValues) -> f64, merge: fn(f64, f64) -> f64) -> Vec<f64> {
         let mut out = vec![f64::NAN; self.terms.structure.mesh.points.len()];
-        for pair in &self.terms.pairs {
-            for node in pair.node_values(&self.at.u) {
+        for (pair, state) in self.terms.pairs.iter().zip(self.states) {
+            for node in pair.node_values(state) {
                 let place = &mut out[node.node as usize];
                 // f64::max and f64::min take the number where the other is NaN.
                 *place = merge(*place, value(&node));

@@ -186,7 +186,7 @@ impl StepRun<'_, '_> {
                     *at = next;
                     size.accept(attempt, convergence.equilibrium_iterations);
                     self.must_be_decided(free, at)?;
-                    let states: Vec<_> = self.terms.pairs.iter().map(|pair| pair.state(&at.u)).collect();
+                    let states = self.terms.states(at);
                     let (structure, freedoms) = (&self.terms.structure, &self.terms.freedoms);
                     let certificate = Certificate::of(structure, freedoms, at, &convergence, &states, fixed);
                     if let Some(fault) = certificate.fault() {

@@ -3,6 +3,7 @@
 use crate::approach::{FreeBody, in_words};
 use crate::terms::Terms;
 use fe_contact::pair::{Discretization, Pair};
+use fe_contact::summary::Means;
 use fe_core::linear::Cost;
 use fe_core::matrix::Pattern;
 use fe_core::term::Term;
@@ -95,7 +96,9 @@ impl Plan {
         }
         let history: usize = terms.all().iter().map(|term| term.history()).sum();
         if history > 0 {
-            needs.push(("history".into(), format!("{history} numbers, a status for each point")));
+            let points: usize = terms.pairs.iter().map(|pair| pair.points.len()).sum();
+            let multipliers = if history > points { ", a multiplier where there are any" } else { "" };
+            needs.push(("history".into(), format!("{history} numbers: a status for each point{multipliers}")));
         }
         for body in free {
             let body_of = &terms.bodies[body.body];
@@ -129,8 +132,18 @@ fn pair_in_words(pair: &Pair) -> String {
     let dimension = s.measure.stiffness_dimension();
     let law = match s.penalty {
         Some(p) => {
-            let origin = if p.by_default { "ten times the elements beneath" } else { "as given" };
-            format!("hard by penalty, {:.6e} {dimension} ({origin}, scale {})", p.stiffness, p.scale)
+            let factor = if p.means == Means::Penalty { "ten" } else { "a thousand" };
+            let origin = if p.by_default { format!("{factor} times the elements beneath") } else { "as given".into() };
+            let penalty = format!("{:.6e} {dimension} ({origin}, scale {})", p.stiffness, p.scale);
+            match p.means {
+                Means::Penalty => format!("hard by penalty, {penalty}"),
+                Means::AugmentedLagrange(allowed) => {
+                    format!(
+                        "hard by augmented Lagrange, overclosures up to {allowed:.3e} L are left; penalty {penalty}"
+                    )
+                }
+                Means::Multipliers => format!("hard by multipliers, found by augmenting a penalty of {penalty}"),
+            }
         }
         None => format!("softened, {}", pair.law().words(s.measure)),
     };
@@ -151,7 +164,10 @@ fn leaves_out(terms: &Terms, unknowns: usize) -> Vec<String> {
         if met.iter().all(|p| p.summary().searched.is_none()) {
             out.push("contact search: every main surface is rigid".into());
         }
-        out.push("multipliers: a penalty or a law carries the contact".into());
+        let bare = |p: &Pair| p.summary().penalty.is_none_or(|penalty| penalty.means == Means::Penalty);
+        if terms.pairs.iter().all(bare) {
+            out.push("multipliers: a penalty or a law carries the contact".into());
+        }
         out.push("friction and an unsymmetric matrix: no interaction has friction".into());
     }
     if terms.pairs.iter().all(|p| p.history() == 0) {

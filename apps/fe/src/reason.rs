@@ -16,6 +16,10 @@ pub fn explain(reject: &Reject, terms: &Terms) -> String {
             let label = terms.structure.mesh.point_labels[*node];
             format!("a number that is not finite came up in {place} at node {label}")
         }
+        Reject::NotEnforced { passes, node, overclosure } => {
+            let label = terms.structure.mesh.point_labels[*node];
+            format!("after {passes} augmentations of the multipliers node {label} still overlaps by {overclosure:.3e}")
+        }
         other => other.to_string(),
     }
 }
@@ -26,6 +30,9 @@ pub fn help(reject: &Reject) -> String {
         Reject::Singular { .. } => "hold the body by *BOUNDARY, or let contact hold it before it is loaded by force",
         Reject::StatusChanges { .. } => "a smaller first increment, or a softer penalty on *SURFACE BEHAVIOR, PENALTY",
         Reject::NoConvergence { .. } | Reject::Diverging { .. } => "a smaller first increment on *STATIC",
+        Reject::NotEnforced { .. } => {
+            "see whether *BOUNDARY holds that node within the other body; or use *SURFACE BEHAVIOR, PENALTY"
+        }
         Reject::NotFinite { .. } => "look for extreme numbers in materials, loads and coordinates",
     }
     .into()

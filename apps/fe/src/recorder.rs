@@ -103,7 +103,7 @@ impl Recorder {
 
     /// The frame at time 0.
     pub fn start(&mut self, terms: &Terms, at: &Converged) -> Result<(), ResultsError> {
-        let states: Vec<PairState> = terms.pairs.iter().map(|pair| pair.state(&at.u)).collect();
+        let states = terms.states(at);
         let fixed = vec![false; at.u.len()];
         let start = Instant::now();
         let recovered = self.file.fields().iter().any(needs_recovery).then(|| Recovered::at(terms, &at.u));

@@ -3,8 +3,10 @@
 use fe_contact::Pair;
 use fe_contact::adjust::{Moved, adjust};
 use fe_contact::pair::PairDefinition;
+use fe_contact::state::PairState;
 use fe_core::Freedoms;
 use fe_core::bodies::{Body, bodies};
+use fe_core::procedure::Converged;
 use fe_core::solid::SolidBlock;
 use fe_core::structure::Structure;
 use fe_core::term::Term;
@@ -66,6 +68,12 @@ impl Terms {
     pub fn all(&self) -> Vec<&dyn Term> {
         let solids = self.solids.iter().map(|block| block as &dyn Term);
         solids.chain(self.pairs.iter().map(|pair| pair as &dyn Term)).collect()
+    }
+
+    /// The states of all pairs.
+    pub fn states(&self, at: &Converged) -> Vec<PairState> {
+        let histories = &at.history[self.solids.len()..];
+        self.pairs.iter().zip(histories).map(|(pair, history)| pair.state(&at.u, history)).collect()
     }
 
     /// What the user may know a body by: the largest element set inside it, or one of its nodes.

@@ -83,6 +83,63 @@ fn a02_linear_slider() {
     }
 }
 
+/// A01 by multipliers, as decks have it by default from node to surface: N = 400 and x = 0.1.
+#[test]
+fn a01_hard_slider_direct() {
+    for (body, revolved) in BODIES {
+        for (kind, card) in [(SURFACE, ", DIRECT"), (NODE, ", DIRECT"), (NODE, "")] {
+            let behavior = format!("*SURFACE INTERACTION, NAME=I\n*SURFACE BEHAVIOR{card}\n");
+            let text = run("slider_direct", &pulled(body, &body.stop(revolved), &(behavior + &pair(kind))));
+            let what = format!("{body:?} {revolved} {kind}{card}");
+            close(&what, last(&text, "forces", "REF", body.axis()), LOAD - K * DISTANCE, PRINTED);
+            close(&what, last(&text, "displacements", "NEAR", body.axis()), -DISTANCE, PRINTED);
+        }
+    }
+}
+
+/// A01 by augmented Lagrange, β = 10: after pass n the force is 400 (1 − 11⁻ⁿ) and the overclosure 400 · 11⁻ⁿ / k: 0.036,
+/// 0.0033, 0.0003. It ends with the first one below a thousandth of the facet's length (1, the ring's 0.56), divided
+/// by the scale factor where that is below 1.
+#[test]
+fn a01_hard_slider_augmented_lagrange() {
+    for (body, revolved) in BODIES {
+        for (line, passes) in [("10000.", 3), ("100000., 0., 0.1", 2), ("2000000., 0., 0.005", 1)] {
+            let behavior = format!("*SURFACE INTERACTION, NAME=I\n*SURFACE BEHAVIOR, AUGMENTED LAGRANGE\n{line}\n");
+            let text = run("slider_augmented", &pulled(body, &body.stop(revolved), &(behavior + &pair(SURFACE))));
+            let what = format!("{body:?} {revolved} {line}");
+            let left = 11f64.powi(-passes);
+            let force = (LOAD - K * DISTANCE) * (1.0 - left);
+            close(&what, last(&text, "forces", "REF", body.axis()), force, PRINTED);
+            let overlap = (LOAD - K * DISTANCE) * left / K;
+            close(&what, -last(&text, "displacements", "NEAR", body.axis()), DISTANCE + overlap, PRINTED);
+        }
+    }
+}
+
+/// A06: under NO SEPARATION a stop that closed pulls: the force goes from 400 to −400 while the load goes from 500 to
+/// −300. One that never closed does not.
+#[test]
+fn a06_no_separation() {
+    for (ways, force) in [(", NO SEPARATION", -400.0), (", NO SEPARATION, DIRECT", -400.0), (", DIRECT", 0.0)] {
+        for (body, revolved) in BODIES {
+            let behavior = format!("*SURFACE INTERACTION, NAME=I\n*SURFACE BEHAVIOR{ways}\n");
+            let pulled = pulled(body, &body.stop(revolved), &(behavior + &pair(NODE)));
+            let back = format!("{pulled}*STEP\n*STATIC\n*DSLOAD\nSEC, P, 300.\n*END STEP\n");
+            let text = run("slider_held", &back);
+            let what = format!("{body:?} {revolved}{ways}");
+            let found = last(&text, "forces", "REF", body.axis());
+            assert!((found - force).abs() <= PRINTED * 400.0, "{what}: {found}");
+            let x = if force < 0.0 { DISTANCE } else { -300.0 / K };
+            close(&what, -last(&text, "displacements", "NEAR", body.axis()), x, PRINTED);
+        }
+    }
+    let behavior = "*SURFACE INTERACTION, NAME=I\n*SURFACE BEHAVIOR, NO SEPARATION\n".to_owned() + &pair(NODE);
+    let away = pulled(Body::Brick, &Body::Brick.stop(false), &behavior).replace("P, -500", "P, 300");
+    let text = run("slider_never_closed", &away);
+    assert_eq!(last(&text, "forces", "REF", 3), 0.0);
+    close("away", last(&text, "displacements", "NEAR", 3), 0.3, PRINTED);
+}
+
 /// The clearance and the scale factor of the penalty's data line: g₀ becomes g₀ − c, β becomes f β (A01: β = 1,
 /// c = 0.05: N = 225).
 #[test]

@@ -5,9 +5,10 @@ use crate::adjust::adjust;
 use crate::error::PairError;
 use crate::facet::Vec3;
 use crate::first_contact::{Rest, RigidContact};
-use crate::interaction::{Enforcement, Interaction, NormalBehavior};
+use crate::interaction::{Enforcement, Interaction, NormalBehavior, Penalty};
 use crate::pair::{Adjust, Discretization, Pair, PairDefinition};
 use crate::surface::{Main, Secondary};
+use fe_core::Term;
 use fe_core::element::ElementType::*;
 
 use Discretization::{NodeToSurface, SurfaceToSurface};
@@ -34,7 +35,7 @@ fn edges_and_vertices_give_one_contact() {
                 let freedoms = scene.structure.freedoms(&[27]);
                 let pair = Pair::new(&scene.structure, &freedoms, &definition, &linear()).unwrap();
                 assert_eq!(pair.points.len(), 1, "{place:?}");
-                let state = pair.state(&vec![0.0; freedoms.len()]);
+                let state = pair.state(&vec![0.0; freedoms.len()], &vec![0.0; pair.history()]);
                 let force = Vec3::from(state.secondary.force);
                 let aside = place.iter().all(|x| (0.1..0.9).contains(x));
                 // Overlapping an outer edge by 0.01 from above and by nothing from the side, the side is nearest.
@@ -179,7 +180,7 @@ fn what_cannot_be_paired_is_named() {
 }
 
 fn hard(stiffness: Option<f64>) -> Interaction {
-    let normal = NormalBehavior::Hard(Enforcement::Penalty { stiffness, clearance: 0.02, scale: 2.0 });
+    let normal = NormalBehavior::Hard(Enforcement::Penalty(Penalty { stiffness, clearance: 0.02, scale: 2.0 }));
     Interaction { normal, ..linear() }
 }
 

@@ -143,7 +143,12 @@ fn cells(kind: CellKind, corner: impl Fn([usize; 3]) -> u32) -> Vec<Vec<u32>> {
 /// LINEAR with k = 100.
 pub fn linear() -> Interaction {
     let law = Linear { slope: 100.0, clearance: 0.0 };
-    Interaction { name: "I".into(), normal: NormalBehavior::Softened(Arc::new(law)), measure: None }
+    Interaction {
+        name: "I".into(),
+        normal: NormalBehavior::Softened(Arc::new(law)),
+        no_separation: false,
+        measure: None,
+    }
 }
 
 pub fn surfaces(secondary: Vec<Face>, main: Vec<Face>, discretization: Discretization) -> PairDefinition {
@@ -154,6 +159,7 @@ pub fn surfaces(secondary: Vec<Face>, main: Vec<Face>, discretization: Discretiz
         main: Main::Faces(main),
         interaction: 0,
         discretization,
+        small_sliding: true,
         adjust: None,
     }
 }

@@ -3,6 +3,7 @@
 use super::scene::*;
 use crate::facet::Vec3;
 use crate::pair::{Discretization, Pair, PairDefinition};
+use fe_core::Term;
 use fe_core::element::ElementType::{self, *};
 use fe_mesh::Face;
 
@@ -39,7 +40,7 @@ impl Interface {
     /// Forces at p = 100 · 0.01 = 1 against −∫φ n on both sides; gap, areas and balance.
     fn check(&self, bound: f64, what: &str) {
         let pair = self.pair(&surfaces(self.secondary.clone(), self.main.clone(), Discretization::SurfaceToSurface));
-        let state = pair.state(&vec![0.0; self.scene.freedoms().len()]);
+        let state = pair.state(&vec![0.0; self.scene.freedoms().len()], &vec![0.0; pair.history()]);
         for p in &state.points {
             assert!((p.opening + OVERLAP).abs() < 1e-2 * bound && (p.pressure - 1.0).abs() < bound, "{what}: {p:?}");
         }
@@ -128,7 +129,7 @@ fn a_linear_separation_gives_mean_gaps() {
     }
     let weights = integrals(&case.scene, &case.secondary, |_| -1.0);
     let gaps = integrals(&case.scene, &case.secondary, |x| OVERLAP - lift(x));
-    for p in pair.state(&u).points {
+    for p in pair.state(&u, &vec![0.0; pair.history()]).points {
         let expected = gaps[&p.node].y / weights[&p.node].y;
         assert!((p.opening - expected).abs() < 1e-13 && (p.measure.value() - weights[&p.node].y).abs() < 1e-13);
     }

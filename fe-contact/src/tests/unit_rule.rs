@@ -8,6 +8,7 @@ use crate::pair::{Discretization, PairDefinition};
 use crate::point::Measure;
 use crate::summary::MeasureKind;
 use crate::surface::Secondary;
+use fe_core::Term;
 use fe_core::element::ElementType::{self, *};
 
 const BOTH: [Discretization; 2] = [Discretization::NodeToSurface, Discretization::SurfaceToSurface];
@@ -27,7 +28,7 @@ fn definition(scene: &Scene, discretization: Discretization) -> PairDefinition {
 
 fn total(scene: &Scene, definition: &PairDefinition, interaction: &Interaction) -> f64 {
     let pair = scene.pair(definition, interaction);
-    let state = pair.state(&vec![0.0; scene.freedoms().len()]);
+    let state = pair.state(&vec![0.0; scene.freedoms().len()], &vec![0.0; pair.history()]);
     assert!(state.points.iter().all(|p| (p.pressure - 1.0).abs() < 1e-12));
     assert!((state.secondary.force[1] + state.main.force[1]).abs() < 1e-12);
     state.secondary.force[1]

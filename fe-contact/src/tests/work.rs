@@ -101,7 +101,7 @@ fn a_rigid_motion_of_all_changes_no_gap() {
         for i in 0..pair.points.len() {
             assert!(pair.rate(i, &u).abs() < 1e-13);
         }
-        let state = pair.state(&vec![0.0; freedoms.len()]);
+        let state = pair.state(&vec![0.0; freedoms.len()], &vec![0.0; pair.history()]);
         let balance = |a: [f64; 3], b: [f64; 3]| (Vec3::from(a) + Vec3::from(b)).norm();
         assert!(Vec3::from(state.secondary.force).norm() > 1e-3);
         assert!(balance(state.secondary.force, state.main.force) < 1e-13);
@@ -124,7 +124,7 @@ fn touching_is_closed_and_changes_are_counted() {
     assert_eq!(first.changes, 4);
     assert!(first.residual.iter().all(|r| r.abs() < 1e-12) && first.stiffness.largest_diagonal() > 1.0);
     assert_eq!(evaluate(&pair, &freedoms, &u, &mut history).changes, 0);
-    assert!(pair.state(&u).points.iter().all(|p| p.status == ContactStatus::Closed));
+    assert!(pair.state(&u, &vec![0.0; pair.history()]).points.iter().all(|p| p.status == ContactStatus::Closed));
     let mut lifted = u.clone();
     pair.secondary_nodes().iter().for_each(|&n| lifted[freedoms.index(n as usize, 1).unwrap()] = 1e-9);
     let open = evaluate(&pair, &freedoms, &lifted, &mut history);

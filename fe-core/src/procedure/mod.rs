@@ -45,6 +45,8 @@ pub struct Convergence {
     pub status_iterations: usize,
     /// Iterations without such a change.
     pub equilibrium_iterations: usize,
+    /// Equilibrium iterations before the last augmentation of multipliers.
+    pub augmented_iterations: usize,
     /// Largest residual [F].
     pub residual: f64,
     /// Largest external, reaction or contact force on one freedom [F].

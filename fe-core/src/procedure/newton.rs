@@ -46,6 +46,8 @@ pub struct Newton {
     controls: Controls,
     status_iterations: usize,
     equilibrium_iterations: usize,
+    /// Equilibrium iterations before the last augmentation.
+    augmented: usize,
     /// Residual of the last iteration without a change of status, since the last one with.
     last_residual: f64,
     /// Residual of the last iteration.
@@ -62,6 +64,7 @@ impl Newton {
             controls,
             status_iterations: 0,
             equilibrium_iterations: 0,
+            augmented: 0,
             last_residual: f64::INFINITY,
             before: f64::INFINITY,
             grown: 0,
@@ -110,6 +113,15 @@ impl Newton {
         Ok(Verdict::GoOn)
     }
 
+    /// Counts anew after an augmentation.
+    pub fn augmented(&mut self) {
+        self.augmented += self.equilibrium_iterations;
+        self.equilibrium_iterations = 0;
+        self.last_residual = f64::INFINITY;
+        self.grown = 0;
+        self.before = f64::INFINITY;
+    }
+
     /// Round-off explains the residual; where that is much, and yet not all there is, another iteration must not help
     /// any more.
     fn settled(&self, now: &Iterate) -> bool {
@@ -153,6 +165,7 @@ impl Newton {
         Convergence {
             status_iterations: self.status_iterations,
             equilibrium_iterations: self.equilibrium_iterations,
+            augmented_iterations: self.augmented,
             residual: last.residual,
             largest_force: last.largest_force,
             round_off: last.round_off,

@@ -8,7 +8,7 @@ use crate::linear::{Cost, LinearSolver};
 use crate::matrix::{BlockMatrix, Pattern};
 use crate::reject::Reject;
 use crate::step::Controls;
-use crate::term::Motion;
+use crate::term::{Equilibrium, Motion, Overlap};
 use std::time::Instant;
 
 /// Residuals of a backward stable solver are a modest multiple of ε |K||u| (Higham, Accuracy and Stability of
@@ -24,6 +24,9 @@ const OVERSHOOT: f64 = 0.5;
 /// size: a point within round-off of touching has the stiffness of the closed side, which may hold back one that leaves,
 /// and a law on a plateau has none, of which nothing tells how far to go.
 const UNDERSHOOT: f64 = 0.9;
+
+/// Most augmentations of the multipliers of an increment (the decks' default).
+const AUGMENTATIONS: usize = 50;
 
 /// Most evaluations of one line search.
 const SEARCHES: usize = 16;
@@ -86,6 +89,13 @@ impl<'a> StaticGeneral<'a> {
         let evaluation = self.system.evaluate(at, &step.external, (&step.from.history, new), true);
         self.seconds.assemble += start.elapsed().as_secs_f64();
         evaluation
+    }
+
+    /// Lets the terms take new multipliers at an equilibrium; the worst overlap that made one do so.
+    fn augment(&self, step: &Increment, at: Equilibrium, new: &mut [Vec<f64>]) -> Option<Overlap> {
+        let terms = self.system.scene.terms.iter().zip(&step.from.history).zip(new);
+        let overlaps = terms.filter_map(|((term, old), new)| term.augment(at, old, new));
+        overlaps.max_by(|a, b| a.overclosure.abs().total_cmp(&b.overclosure.abs()))
     }
 
     /// Factors the tangent of an evaluation at `u`, unless it stands factored. Where it is singular the terms may
@@ -272,6 +282,7 @@ impl Procedure for StaticGeneral<'_> {
         let mut u = from.u.clone();
         let mut now = self.evaluate(&step, &u, &mut new)?;
         let mut newton = Newton::new(self.controls, self.mean_forces);
+        let mut passes = 0;
         loop {
             let (delta, slope) = self.correction(&u, now, &given)?;
             given.fill(0.0);
@@ -280,6 +291,17 @@ impl Procedure for StaticGeneral<'_> {
             let iterate = self.iterate(&step, &u, (length, &delta), &now);
             tracing::debug!(?iterate, length, "iteration");
             if newton.judge(&iterate)? == Verdict::Converged {
+                let noise = iterate.residual.max(iterate.round_off);
+                let at = Equilibrium { u: &u, noise, passes };
+                if let Some(Overlap { node, overclosure }) = self.augment(&step, at, &mut new) {
+                    passes += 1;
+                    if passes > AUGMENTATIONS {
+                        return Err(Reject::NotEnforced { passes: AUGMENTATIONS, node, overclosure });
+                    }
+                    newton.augmented();
+                    now = self.evaluate(&step, &u, &mut new)?;
+                    continue;
+                }
                 self.mean_forces = (self.mean_forces.0 + iterate.mean_force, self.mean_forces.1 + 1);
                 return Ok((converged(step, u, new, now), newton.convergence(&iterate)));
             }

@@ -24,12 +24,15 @@ pub const SURFACE_BEHAVIOR: Keyword = Keyword {
             ]),
             "hard contact by a penalty p = f K (h + c)",
         ),
-        Parameter::not_yet("AUGMENTED LAGRANGE", "say `*SURFACE BEHAVIOR, PENALTY`"),
-        Parameter::not_yet("DIRECT", "say `*SURFACE BEHAVIOR, PENALTY`"),
-        Parameter::flag("NO SEPARATION", "not there yet: surfaces that closed never open again"),
+        Parameter::flag(
+            "AUGMENTED LAGRANGE",
+            "hard contact by a penalty, and multipliers until little overclosure is left",
+        ),
+        Parameter::flag("DIRECT", "hard contact by multipliers: no overclosure; a softened law as it stands"),
+        Parameter::flag("NO SEPARATION", "surfaces that closed never open again"),
     ],
     data: Data::Lines(&[
-        DataLine::optional(PENALTY).when("PENALTY"),
+        DataLine::optional(PENALTY).when("PENALTY or AUGMENTED LAGRANGE"),
         DataLine::many(&[]).when("a law: its numbers"),
         DataLine::once(SCALE_FACTOR)
             .when("SCALE FACTOR: for general contact in Explicit, checked and refused elsewhere"),
@@ -37,10 +40,10 @@ pub const SURFACE_BEHAVIOR: Keyword = Keyword {
     source: "Abaqus Keywords Reference, *SURFACE BEHAVIOR",
 };
 
-/// The data line of hard contact by a penalty.
+/// The data line of hard contact by a penalty, alone or with multipliers.
 pub const PENALTY: &[Field] = &[
     Field::number("stiffness", "F/L³", "penalty stiffness K")
-        .or("10 × the stiffness of the elements beneath")
+        .or("10 × the stiffness of the elements beneath, 1000 × with multipliers")
         .above(0.0),
     Field::number("clearance", "L", "clearance c at which the pressure vanishes").or("0"),
     Field::number("scale", "-", "factor f on K").or("1").above(0.0),

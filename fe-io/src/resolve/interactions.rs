@@ -8,12 +8,9 @@ use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::keyword::check::Entry;
 use crate::keyword::row::{Row, of_law};
 use crate::keyword::{self, Field, Known, surface_behavior};
-use fe_contact::interaction::{Enforcement, Interaction, NormalBehavior};
+use fe_contact::interaction::{Enforcement, Interaction, NormalBehavior, Penalty};
 use fe_contact::law::scale_factor::Scaling;
 use fe_contact::law::{Datum, LawDefinition, Laws, Lines};
-
-/// Hard contact by a penalty, as the decks' defaults have it.
-const DEFAULT_PENALTY: Enforcement = Enforcement::Penalty { stiffness: None, clearance: 0.0, scale: 1.0 };
 
 /// The interactions of a model.
 #[derive(Debug, Default)]
@@ -22,8 +19,6 @@ pub struct Interactions {
     pub list: Vec<Interaction>,
     /// Place of each one's card.
     pub places: Vec<Span>,
-    /// True for hard contact whose enforcement the deck leaves open.
-    pub open: Vec<bool>,
     /// Place of each one's `*SURFACE BEHAVIOR`.
     behaviors: Vec<Option<Span>>,
 }
@@ -60,9 +55,9 @@ impl Interactions {
         }
         let measure =
             deck.lines(entry.card).next().and_then(|line| Row::read(line, fields(entry), diagnostics).number(0));
-        self.list.push(Interaction { name, normal: NormalBehavior::Hard(DEFAULT_PENALTY), measure });
+        let normal = NormalBehavior::Hard(Enforcement::Usual);
+        self.list.push(Interaction { name, normal, no_separation: false, measure });
         self.places.push(entry.card.span);
-        self.open.push(true);
         self.behaviors.push(None);
     }
 
@@ -78,10 +73,8 @@ impl Interactions {
             diagnostics.push(Diagnostic::error(entry.card.span, title).related(first, "first here"));
         }
         if let Some(behavior) = behavior {
-            self.open[i] = matches!(behavior, NormalBehavior::Hard(_)) && !entry.has("PENALTY");
+            self.list[i].no_separation = entry.has("NO SEPARATION");
             self.list[i].normal = behavior;
-        } else {
-            self.open[i] = false;
         }
     }
 
@@ -127,23 +120,16 @@ fn behavior(entry: &Entry<'_>, deck: &Deck, laws: &Laws, diagnostics: &mut Diagn
 
 /// Words that cannot stand beside each other.
 fn exclusions(entry: &Entry<'_>, softened: Option<&str>, diagnostics: &mut Diagnostics) {
-    if let Some(parameter) = entry.parameter("NO SEPARATION") {
-        diagnostics.push(match softened {
-            Some(law) => {
-                let title = "`NO SEPARATION` cannot be used with a softened `PRESSURE-OVERCLOSURE` in static steps";
-                let fault = Diagnostic::error(parameter.span, title).label(format!("the law is `{law}`"));
-                fault.help("a softened law lets surfaces separate: leave `NO SEPARATION` out")
-            }
-            None => {
-                let fault =
-                    Diagnostic::error(parameter.span, "`NO SEPARATION` of `*SURFACE BEHAVIOR` is not there yet");
-                fault.help("surfaces may separate: leave it out, or give both bodies common nodes")
-            }
-        });
+    if let (Some(parameter), Some(law)) = (entry.parameter("NO SEPARATION"), softened) {
+        let title = "`NO SEPARATION` cannot be used with a softened `PRESSURE-OVERCLOSURE` in static steps";
+        let fault = Diagnostic::error(parameter.span, title).label(format!("the law is `{law}`"));
+        diagnostics.push(fault.help("a softened law lets surfaces separate: leave `NO SEPARATION` out"));
     }
-    if let (Some(parameter), Some(law)) = (entry.parameter("PENALTY"), softened) {
-        let title = format!("`PENALTY` is for hard contact, not for `PRESSURE-OVERCLOSURE={law}`");
-        diagnostics.push(Diagnostic::error(parameter.span, title).help("a softened law needs no enforcement"));
+    for way in ["PENALTY", "AUGMENTED LAGRANGE"] {
+        if let (Some(parameter), Some(law)) = (entry.parameter(way), softened) {
+            let title = format!("`{way}` is for hard contact, not for `PRESSURE-OVERCLOSURE={law}`");
+            diagnostics.push(Diagnostic::error(parameter.span, title).help("a softened law needs no enforcement"));
+        }
     }
     let ways = ["PENALTY", "AUGMENTED LAGRANGE", "DIRECT"].into_iter().filter_map(|name| entry.parameter(name));
     let ways: Vec<_> = ways.collect();
@@ -231,21 +217,25 @@ fn scale_factor(entry: &Entry<'_>, deck: &Deck, diagnostics: &mut Diagnostics) {
 }
 
 fn hard(entry: &Entry<'_>, deck: &Deck, diagnostics: &mut Diagnostics) -> Option<NormalBehavior> {
+    let of = |penalty| match (entry.has("PENALTY"), entry.has("AUGMENTED LAGRANGE")) {
+        (true, _) => Enforcement::Penalty(penalty),
+        (_, true) => Enforcement::AugmentedLagrange(penalty),
+        _ if entry.has("DIRECT") => Enforcement::Direct,
+        _ => Enforcement::Usual,
+    };
     let mut lines = deck.lines(entry.card);
-    let Some(line) = lines.next() else { return Some(NormalBehavior::Hard(DEFAULT_PENALTY)) };
-    if !entry.has("PENALTY") {
-        if !entry.has("AUGMENTED LAGRANGE") {
-            let fault = Diagnostic::error(line.span, "hard contact has no data line");
-            diagnostics.push(fault.help(
-                "for a penalty stiffness say `*SURFACE BEHAVIOR, PENALTY`; for a slope `PRESSURE-OVERCLOSURE=LINEAR`",
-            ));
-        }
+    let Some(line) = lines.next() else { return Some(NormalBehavior::Hard(of(Penalty::default()))) };
+    if matches!(of(Penalty::default()), Enforcement::Direct | Enforcement::Usual) {
+        let fault = Diagnostic::error(line.span, "hard contact has no data line");
+        diagnostics.push(fault.help(
+            "for a penalty stiffness say `*SURFACE BEHAVIOR, PENALTY`; for a slope `PRESSURE-OVERCLOSURE=LINEAR`",
+        ));
         return None;
     }
     let row = Row::read(line, surface_behavior::PENALTY, diagnostics);
     too_many(lines.next(), diagnostics);
     let (stiffness, clearance, scale) = (row.number(0), row.number(1).unwrap_or(0.0), row.number(2).unwrap_or(1.0));
-    row.sound.then_some(NormalBehavior::Hard(Enforcement::Penalty { stiffness, clearance, scale }))
+    row.sound.then_some(NormalBehavior::Hard(of(Penalty { stiffness, clearance, scale })))
 }
 
 fn too_many(line: Option<crate::deck::card::Line<'_>>, diagnostics: &mut Diagnostics) {

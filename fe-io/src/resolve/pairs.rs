@@ -32,9 +32,6 @@ pub fn read(
         let row = Row::read(line, fields(entry), diagnostics);
         let (Some(first), Some(second), true) = (row.token(0), row.token(1), row.sound) else { continue };
         let before = diagnostics.faults();
-        if let Some(interaction) = interaction {
-            enforcement(entry, first, interaction, interactions, diagnostics);
-        }
         let secondary = secondary(first, scene, diagnostics);
         let main = main(second, scene, diagnostics);
         let (Some(secondary), Some(main)) = (secondary, main) else { continue };
@@ -51,7 +48,17 @@ pub fn read(
         }
         let source = &scene.deck.sources[line.span.source as usize];
         let place = source.place(line.span.start);
-        let pair = PairDefinition { secondary_name, main_name, secondary, main, interaction, discretization, adjust };
+        let small_sliding = entry.has("SMALL SLIDING");
+        let pair = PairDefinition {
+            secondary_name,
+            main_name,
+            secondary,
+            main,
+            interaction,
+            discretization,
+            small_sliding,
+            adjust,
+        };
         pairs.extend(once::only_new(pair, pairs, line.span, diagnostics).map(|pair| (pair, place)));
     }
 }
@@ -66,26 +73,6 @@ fn interaction(entry: &Entry<'_>, interactions: &Interactions, diagnostics: &mut
         diagnostics.push(fault.known(&name, names).help("say `*SURFACE INTERACTION, NAME=…`"));
     }
     found
-}
-
-/// Hard contact whose enforcement is left open: by a penalty for finite-sliding surface-to-surface pairs, by
-/// multipliers for all others (Abaqus Analysis User's Manual, Contact constraint enforcement methods).
-fn enforcement(
-    entry: &Entry<'_>,
-    at: Token<'_>,
-    interaction: usize,
-    interactions: &Interactions,
-    diagnostics: &mut Diagnostics,
-) {
-    let by_penalty = entry.says("TYPE", "SURFACE TO SURFACE") && !entry.has("SMALL SLIDING");
-    if !interactions.open[interaction] || by_penalty {
-        return;
-    }
-    let kind = if entry.has("SMALL SLIDING") { "a small-sliding pair" } else { "a node-to-surface pair" };
-    let title = format!("hard contact of {kind} is enforced by multipliers (DIRECT), which is not there yet");
-    let name = &interactions.list[interaction].name;
-    let fault = Diagnostic::error(at.span, title).related(interactions.places[interaction], "hard contact");
-    diagnostics.push(fault.help(format!("say `*SURFACE BEHAVIOR, PENALTY` under `*SURFACE INTERACTION, NAME={name}`")));
 }
 
 /// A surface by name; a missing one is told.

@@ -1,0 +1,127 @@
+//! How a pair's law is enforced: as it stands, or with multipliers.
+//!
+//! Multipliers λ are found by augmenting a penalty K (Hestenes 1969, Powell 1969): p = ⟨λ + K h⟩ with h = −g, λ ← p
+//! after each equilibrium, until the overclosure is small enough. λ is kept as the shift λ/K [L] of the gap, so that the
+//! law is asked at g − λ/K. The matrix stays positive definite and unchanged from pass to pass, and constraints that say
+//! the same twice share their force.
+
+use crate::law::{NormalLaw, NormalResponse};
+use crate::pair::Pair;
+use crate::point::ContactStatus;
+use fe_core::term::{Equilibrium, Overlap};
+
+/// History of an open point, and of a closed one.
+pub(crate) const OPEN: f64 = 0.0;
+pub(crate) const CLOSED: f64 = 1.0;
+
+/// Part of the largest pressure that a multiplier may be wrong by where no overclosure is allowed [-]: what rounding
+/// leaves of systems with a condition number up to 1e4.
+const EXACT: f64 = 1e-12;
+
+/// Constraints that say nearly the same twice (one beside a node that a support holds) are met ever more slowly, by
+/// ever larger multipliers: after so many passes they may be off by [`NEARLY`].
+const PATIENCE: usize = 10;
+
+/// Overclosure over the facets' length [-] that is left to such constraints.
+const NEARLY: f64 = 1e-6;
+
+/// Multipliers on top of a law.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Multipliers {
+    /// K [F/L³], the slope of the pair's law.
+    pub slope: f64,
+    /// Length [L] of the facets.
+    pub length: f64,
+    /// Largest overclosure [L] that is left as it is; `None`: as small as rounding lets it be.
+    pub allowed: Option<f64>,
+}
+
+impl Multipliers {
+    /// Largest overclosure [L] that is left where the largest pressure is `largest`.
+    fn limit(&self, largest: f64, passes: usize) -> f64 {
+        match self.allowed {
+            Some(allowed) => allowed,
+            None if passes < PATIENCE => EXACT * largest / self.slope,
+            None => NEARLY * self.length,
+        }
+    }
+}
+
+impl Pair {
+    /// The law's answer of a point at a gap [L], with the pair's history at hand; `held` says that it may pull.
+    pub(crate) fn answer(
+        &self,
+        point: usize,
+        gap: f64,
+        history: &[f64],
+        held: bool,
+    ) -> (NormalResponse, ContactStatus) {
+        let shift = self.shift(point, history);
+        let (mut answer, mut status) = self.respond(gap - shift);
+        let kink = self.law.reach();
+        if held && status == ContactStatus::Open {
+            (answer, status) = (mirrored(&*self.law, gap - shift), ContactStatus::Closed);
+        }
+        if shift != 0.0 {
+            // What the multiplier itself has stored is no energy of the contact.
+            answer.energy -= if shift > 0.0 {
+                self.law.respond(kink - shift).energy
+            } else {
+                mirrored(&*self.law, kink - shift).energy
+            };
+        }
+        (answer, status)
+    }
+
+    /// λ/K [L] of a point.
+    fn shift(&self, point: usize, history: &[f64]) -> f64 {
+        if self.multipliers.is_some() { history[self.points.len() + point] } else { 0.0 }
+    }
+
+    /// True where a point that was closed at the end of the last increment may not open any more.
+    pub(crate) fn is_held(&self, point: usize, history: &[f64]) -> bool {
+        self.no_separation && history[point] == CLOSED
+    }
+
+    /// Takes the pressures as multipliers, unless the overclosures are small enough already, or no larger than what is
+    /// not balanced explains. Returns the largest one that is not.
+    pub(crate) fn take_multipliers(&self, at: Equilibrium, old: &[f64], new: &mut [f64]) -> Option<Overlap> {
+        let multipliers = self.multipliers?;
+        let slope = multipliers.slope;
+        let answers: Vec<(f64, NormalResponse)> = (0..self.points.len())
+            .map(|i| {
+                let gap = self.opening(i, at.u);
+                (gap, self.answer(i, gap, new, self.is_held(i, old)).0)
+            })
+            .collect();
+        let largest = answers.iter().fold(0.0, |m: f64, a| m.max(a.1.pressure.abs()));
+        let round_off = 4.0 * f64::EPSILON / TOUCH * self.touch;
+        let limit = multipliers.limit(largest, at.passes).max(round_off);
+        let kink = self.law.reach();
+        let mut worst: Option<Overlap> = None;
+        for (i, (gap, answer)) in answers.iter().enumerate() {
+            // How far the gap of a point that presses, or is held, is from where it belongs.
+            let excess = if answer.pressure == 0.0 { 0.0 } else { kink - gap };
+            let off = if multipliers.allowed.is_some() { excess } else { excess.abs() };
+            let limit = limit.max(at.noise / (slope * self.points[i].measure.value()));
+            if off > limit && worst.is_none_or(|w| off > w.overclosure.abs()) {
+                worst = Some(Overlap { node: self.points[i].node as usize, overclosure: excess });
+            }
+        }
+        if worst.is_some() {
+            let points = self.points.len();
+            answers.iter().enumerate().for_each(|(i, (_, answer))| new[points + i] = answer.pressure / slope);
+        }
+        worst
+    }
+}
+
+/// A gap that near to the kink of the law, of the model's size, touches [-].
+pub(crate) const TOUCH: f64 = 1e-12;
+
+/// The law continued beyond its reach as it begins there, into tension.
+fn mirrored(law: &dyn NormalLaw, gap: f64) -> NormalResponse {
+    let kink = law.reach();
+    let answer = law.respond(2.0 * kink - gap);
+    NormalResponse { pressure: -answer.pressure, ..answer }
+}
