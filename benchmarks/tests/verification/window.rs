@@ -55,7 +55,7 @@ fn errors(solution: &Solution) -> Found {
     let structure = &solution.terms.structure;
     let distance = |[x, y, _]: [f64; 3]| (x - 1.0).hypot(y);
     let quadrature = Quadrature { points: 8, singular: Some(&distance), splits: 8 };
-    let state = solution.terms.pairs[0].state(&solution.report.last.u);
+    let state = &solution.terms.states(&solution.report.last)[0];
     let node = |point: &fe_contact::state::PointState| {
         let x = structure.mesh.points[point.node as usize][0];
         NodalPressure { found: point.pressure, exact: window.pressure(x), area: point.measure.value() }
