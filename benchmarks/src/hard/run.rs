@@ -143,7 +143,7 @@ impl Run {
         let report = self.ended.as_ref().ok()?;
         let model = resolve(&Deck::read(&self.deck).ok()?, &standard()).ok()?;
         let terms = Terms::new(&model).ok()?;
-        let pairs = terms.pairs.iter().map(|pair| pair.state(&report.last.u)).collect();
+        let pairs = terms.states(&report.last);
         Some(Solved { terms, pairs, u: report.last.u.clone(), forces: report.last.residual.clone() })
     }
 }
