@@ -151,7 +151,12 @@ impl<'a> System<'a> {
 
     /// Lets the terms stiffen a tangent that is singular; true when one did.
     pub fn stiffen(&self, u: &[f64], tangent: &mut BlockMatrix) -> bool {
-        self.scene.terms.iter().fold(false, |done, term| term.stiffen(u, tangent) || done)
+        // Every term is asked, not only as far as the first that does.
+        let mut stiffened = false;
+        for term in &self.scene.terms {
+            stiffened |= term.stiffen(u, tangent);
+        }
+        stiffened
     }
 }
 
