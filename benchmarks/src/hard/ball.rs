@@ -3,8 +3,8 @@
 
 use super::deck::{self, Order};
 use fe_core::element::ElementType;
-use fe_mesh::Mesh;
 use fe_mesh::generate::Block;
+use fe_mesh::{CellBlock, CellId, CellKind, Face, Mesh};
 use std::collections::BTreeMap;
 use std::f64::consts::FRAC_PI_4;
 use std::fmt::Write;
@@ -61,12 +61,7 @@ pub fn mesh() -> Mesh {
 
 /// One mesh of parts that touch: points at the same place are one.
 fn joined(parts: &[(Mesh, Option<&str>)]) -> Mesh {
-    let mut mesh = Block::hex8([1, 1, 1]).mesh();
-    (mesh.points, mesh.point_labels) = (Vec::new(), Vec::new());
-    (mesh.blocks[0].nodes, mesh.blocks[0].labels) = (Vec::new(), Vec::new());
-    [&mut mesh.node_sets].iter_mut().for_each(|sets| sets.clear());
-    mesh.cell_sets.clear();
-    mesh.surfaces.clear();
+    let mut mesh = Mesh { blocks: vec![CellBlock::new(CellKind::Hex8)], ..Mesh::default() };
     let mut places: BTreeMap<[i64; 3], u32> = BTreeMap::new();
     let mut skin = Vec::new();
     for (part, side) in parts {
@@ -84,11 +79,8 @@ fn joined(parts: &[(Mesh, Option<&str>)]) -> Mesh {
         mesh.blocks[0].nodes.extend(block.nodes.iter().map(|&n| new[n as usize]));
         mesh.blocks[0].labels.extend((1..=block.len() as u64).map(|label| u64::from(first) + label));
         let faces = side.map_or(&[][..], |side| &part.surfaces[side]);
-        skin.extend(faces.iter().map(|face| {
-            let mut face = *face;
-            face.cell.cell += first;
-            face
-        }));
+        let moved = |cell: CellId| CellId { block: 0, cell: cell.cell + first };
+        skin.extend(faces.iter().map(|face| Face { cell: moved(face.cell), face: face.face }));
     }
     mesh.point_labels = (1..=mesh.points.len() as u64).collect();
     mesh.cell_sets.insert("BALL".into(), mesh.cells().collect());
@@ -101,14 +93,14 @@ fn joined(parts: &[(Mesh, Option<&str>)]) -> Mesh {
 /// The part of the skin that can meet the flat: faces whose corners all lie below this height [L].
 pub fn lower_skin(mesh: &mut Mesh, height: f64) {
     let skin = mesh.surfaces["SKIN"].clone();
-    let low = |face: &fe_mesh::Face| mesh.face(*face).1.iter().all(|&n| mesh.points[n as usize][2] < height);
+    let low = |face: &Face| mesh.face(*face).1.iter().all(|&n| mesh.points[n as usize][2] < height);
     let low: Vec<_> = skin.into_iter().filter(low).collect();
     mesh.surfaces.insert("SKIN".into(), low);
 }
 
 /// How a ball's deck is made from its mesh.
 pub struct Ball {
-    /// Takes points to where they are, and directions (with their second argument 0) to where they point.
+    /// Takes points to where they are; linear, so that directions go alike.
     pub turn: fn(Point) -> Point,
     /// Factor on lengths.
     pub length: f64,
@@ -162,5 +154,35 @@ impl Ball {
              *BOUNDARY\nEQUATOR, 1, 1, {ux:e}\nEQUATOR, 2, 2, {uy:e}\nEQUATOR, 3, 3, {uz:e}\n*END STEP\n"
         );
         text
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The parts fit: inner faces are shared by two bricks, outer ones lie on the sphere (those of the skin) or in the
+    /// plane of the equator, 10 × 10 and 4 × 5 × 10 of them.
+    #[test]
+    fn the_parts_of_the_ball_are_joined() {
+        let mesh = mesh();
+        assert_eq!(mesh.cell_count(), 500 + 500 + 4 * 250);
+        let mut faces: BTreeMap<Vec<u32>, (usize, bool)> = BTreeMap::new();
+        for cell in mesh.cells() {
+            for face in 0..6 {
+                let mut nodes = mesh.face(Face { cell, face }).1;
+                let equator = nodes.iter().all(|&n| mesh.points[n as usize][2] == 0.0);
+                nodes.sort_unstable();
+                faces.entry(nodes).or_insert((0, equator)).0 += 1;
+            }
+        }
+        let outer: Vec<bool> = faces.values().filter(|(count, _)| *count == 1).map(|(_, equator)| *equator).collect();
+        assert!(faces.values().all(|(count, _)| *count <= 2));
+        assert_eq!(outer.iter().filter(|equator| **equator).count(), 300);
+        assert_eq!(outer.iter().filter(|equator| !**equator).count(), mesh.surfaces["SKIN"].len());
+        let radius = |n: u32| mesh.points[n as usize].iter().map(|x| x * x).sum::<f64>().sqrt();
+        let skin = mesh.surfaces["SKIN"].iter().flat_map(|&face| mesh.face(face).1);
+        // Rounding of coordinates of 10.
+        assert!(skin.into_iter().all(|n| (radius(n) - RADIUS).abs() < 1e-13));
     }
 }
