@@ -132,10 +132,10 @@ fn print_rates(out: &mut dyn Write, problem: &dyn Problem, curve: &Curve, rows: 
     Ok(())
 }
 
-/// (work, error) of the scenes whose error is above the model's own.
+/// (work, error) of the scenes whose error is more than twice the model's own.
 fn above_floor(rows: &[Row], index: usize, norm: &Norm, work: &dyn Fn(&[Row]) -> f64) -> Vec<(f64, f64)> {
     let points = scenes(rows).into_iter().map(|rows| (work(rows), rows[0].errors[index].abs()));
-    points.filter(|point| point.1 > norm.floor).collect()
+    points.filter(|point| point.1 > 2.0 * norm.floor).collect()
 }
 
 /// Rate of the error over the last three of these; `None` of fewer.
