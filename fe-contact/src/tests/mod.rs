@@ -3,6 +3,7 @@
 mod far;
 mod robustness;
 mod scene;
+mod speed;
 mod transmission;
 mod unit_rule;
 mod work;

@@ -15,8 +15,9 @@ use std::sync::Arc;
 
 /// Elements of a chunk, a multiple of the lanes.
 const CHUNK: usize = 16 * LANES;
-/// Chunks computed in one round.
-const ROUND: usize = 16;
+/// Chunks computed in one round: few, so that they stay in the cache until they are added; more than four threads
+/// would wait for the one that adds anyway.
+const ROUND: usize = 4;
 
 impl Term for SolidBlock {
     fn name(&self) -> &str {
