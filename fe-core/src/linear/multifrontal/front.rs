@@ -1,11 +1,13 @@
 //! Assembles a front from the matrix and from what the children left, and eliminates its columns.
 
 use super::dense::{eliminate, share};
+use super::extend::Child;
+use super::pool::Pool;
 use super::symbolic::{Entry, Supernode, Symbolic};
 use super::trapezoid::Panel;
 use crate::freedoms::COMPONENTS;
 use crate::matrix::BlockMatrix;
-use std::sync::{Mutex, OnceLock, PoisonError};
+use std::sync::OnceLock;
 
 /// What a supernode left to its parent: the lower triangle of its [`Supernode::update`]. Empty where it is the one that
 /// was kept.
@@ -16,34 +18,6 @@ pub(super) struct Update {
 
 /// What a supernode that does not change left to a parent that does.
 pub(super) type Kept = OnceLock<Vec<f64>>;
-
-/// Memory of updates that are no longer needed.
-#[derive(Default)]
-pub(super) struct Pool(Mutex<Vec<Vec<f64>>>);
-
-impl Pool {
-    /// At least `length` numbers of any value, in the piece of memory that fits best.
-    fn take(&self, length: usize) -> Vec<f64> {
-        if length == 0 {
-            return Vec::new();
-        }
-        let mut free = self.0.lock().unwrap_or_else(PoisonError::into_inner);
-        let fitting = (0..free.len()).filter(|&k| (length..4 * length + (1 << 16)).contains(&free[k].len()));
-        match fitting.min_by_key(|&k| free[k].len()) {
-            Some(k) => free.swap_remove(k),
-            None => {
-                drop(free);
-                vec![0.0; length]
-            }
-        }
-    }
-
-    fn give(&self, values: Vec<f64>) {
-        if !values.is_empty() {
-            self.0.lock().unwrap_or_else(PoisonError::into_inner).push(values);
-        }
-    }
-}
 
 /// What all fronts of a factorisation share.
 pub(super) struct Fronts<'a> {
@@ -56,6 +30,8 @@ pub(super) struct Fronts<'a> {
     pub kept: &'a [Kept],
     /// True where fronts that do not change were eliminated before.
     pub again: bool,
+    /// True where the factor holds zeros.
+    pub fresh: bool,
 }
 
 impl Fronts<'_> {
@@ -70,19 +46,23 @@ impl Fronts<'_> {
             return Ok(());
         }
         let (front, rest) = (node.factor(), node.update());
-        let mut values = self.pool.take(rest.len());
+        let (mut values, zero) = self.pool.take(rest.len());
         let update = &mut values[..rest.len()];
-        let mut panels = front.split(factor);
+        let mut panels: Vec<(Panel, &mut [f64], bool)> =
+            front.split(factor).into_iter().map(|(panel, numbers)| (panel, numbers, self.fresh)).collect();
         panels.extend(rest.split(update).into_iter().map(|(panel, numbers)| {
             let first = panel.first + node.columns;
-            (Panel { first, ..panel }, numbers)
+            (Panel { first, ..panel }, numbers, zero)
         }));
-        let brood = &stack[children..];
-        share(node.rows, panels, |(panel, numbers)| {
-            numbers.fill(0.0);
+        let brood: Vec<Child> = stack[children..].iter().map(|child| self.child(child)).collect();
+        share(node.rows, panels, |(panel, numbers, zero)| {
+            if !zero {
+                numbers.fill(0.0);
+            }
             self.enter(node, panel, numbers);
-            brood.iter().for_each(|child| self.extend_add(child, panel, numbers));
+            brood.iter().for_each(|child| child.extend_add(panel, numbers));
         });
+        drop(brood);
         stack.drain(children..).for_each(|child| self.release(node, child));
         let least = &self.least[node.unknown..node.unknown + node.columns];
         eliminate(front, factor, update, least).map_err(|column| node.unknown + column)?;
@@ -90,18 +70,20 @@ impl Fronts<'_> {
         Ok(())
     }
 
-    /// Keeps what a child left where it will be wanted again, and gives its memory to the pool where not.
+    /// A child as its parent takes it.
+    fn child<'s>(&'s self, child: &'s Update) -> Child<'s> {
+        let left = &self.symbolic.supernodes[child.supernode];
+        let values = self.kept[child.supernode].get().unwrap_or(&child.values);
+        Child::new(left, values)
+    }
+
+    /// Keeps what a child left where it will be wanted again, and gives its memory to the pool.
     fn release(&self, parent: &Supernode, child: Update) {
         let left = &self.symbolic.supernodes[child.supernode];
-        if !parent.changes || left.changes {
-            return self.pool.give(child.values);
+        if parent.changes && !left.changes {
+            self.kept[child.supernode].get_or_init(|| child.values[..left.update().len()].to_vec());
         }
-        self.kept[child.supernode].get_or_init(|| {
-            let mut values = child.values;
-            values.truncate(left.update().len());
-            values.shrink_to_fit();
-            values
-        });
+        self.pool.give(child.values);
     }
 
     /// Copies the blocks of the matrix that fall into a panel.
@@ -133,39 +115,6 @@ impl Fronts<'_> {
             }
         }
     }
-
-    /// Adds what falls into a panel of what a child left.
-    fn extend_add(&self, child: &Update, panel: Panel, numbers: &mut [f64]) {
-        let left = &self.symbolic.supernodes[child.supernode];
-        let (runs, source) = (&left.runs, left.update());
-        let kept = self.kept[child.supernode].get();
-        let child_values = kept.unwrap_or(&child.values);
-        let (first, end) = (panel.first, panel.first + panel.width);
-        for (k, run) in runs.iter().enumerate() {
-            let (to, from) = (run.to as usize, run.from as usize);
-            if to >= end {
-                break;
-            }
-            for column in to.max(first)..(to + run.length as usize).min(end) {
-                let source_column = column - to + from;
-                let from_panel = source.panel_of(source_column);
-                let range = from_panel.below(source_column, source_column);
-                let values = &child_values[from_panel.start + range.start..from_panel.start + range.end];
-                let target = &mut numbers[panel.below(column, column)];
-                for run in &runs[k..] {
-                    let skip = source_column.saturating_sub(run.from as usize);
-                    let (at, length) = (run.from as usize + skip - source_column, run.length as usize - skip);
-                    let to = run.to as usize + skip - column;
-                    add(&mut target[to..to + length], &values[at..at + length]);
-                }
-            }
-        }
-    }
-}
-
-#[inline]
-fn add(target: &mut [f64], source: &[f64]) {
-    target.iter_mut().zip(source).for_each(|(t, s)| *t += s);
 }
 
 /// Which bits of a mask are set, ascending.

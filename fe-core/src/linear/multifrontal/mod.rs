@@ -9,8 +9,10 @@
 
 mod changing;
 mod dense;
+mod extend;
 mod front;
 mod layout;
+mod pool;
 mod solve;
 mod supernodes;
 mod symbolic;
@@ -22,7 +24,8 @@ mod walk;
 
 use super::{Cost, LinearSolver, Singular};
 use crate::matrix::{BlockMatrix, Pattern};
-use front::{Fronts, Kept, Pool, Update};
+use front::{Fronts, Kept, Update};
+use pool::Pool;
 use solve::Substitution;
 use std::sync::Arc;
 use symbolic::Symbolic;
@@ -60,11 +63,12 @@ impl Multifrontal {
         parts.min_by(|a, b| a.1.total_cmp(&b.1))
     }
 
-    /// Eliminates front by front; where it is done `again`, only the fronts that have changed.
-    fn eliminate(&mut self, matrix: &BlockMatrix, again: bool) -> Result<(), Singular> {
+    /// Eliminates front by front; where it is done `again`, only the fronts that have changed. A `fresh` factor holds
+    /// zeros.
+    fn eliminate(&mut self, matrix: &BlockMatrix, again: bool, fresh: bool) -> Result<(), Singular> {
         let symbolic = &self.symbolic;
         let least = least_pivots(symbolic, matrix);
-        let fronts = Fronts { symbolic, matrix, least: &least, pool: &Pool::default(), kept: &self.kept, again };
+        let fronts = Fronts { symbolic, matrix, least: &least, pool: &Pool::default(), kept: &self.kept, again, fresh };
         let visit = |s: usize, own: &mut [f64], stack: &mut Vec<Update>| fronts.visit(s, own, stack);
         Walk::new(symbolic, |s| symbolic.value_start(s))
             .up(&mut self.factor, &visit)
@@ -98,13 +102,16 @@ impl LinearSolver for Multifrontal {
 
     fn factor(&mut self, matrix: &BlockMatrix) -> Result<(), Singular> {
         assert_eq!(self.symbolic.masks.len(), matrix.pattern.nodes(), "the pattern was analysed");
-        self.factor.resize(self.symbolic.values, 0.0);
+        let fresh = self.factor.len() != self.symbolic.values;
+        if fresh {
+            self.factor = vec![0.0; self.symbolic.values];
+        }
         self.kept = self.symbolic.supernodes.iter().map(|_| Kept::new()).collect();
-        self.eliminate(matrix, false)
+        self.eliminate(matrix, false, fresh)
     }
 
     fn factor_again(&mut self, matrix: &BlockMatrix) -> Result<(), Singular> {
-        self.eliminate(matrix, true)
+        self.eliminate(matrix, true, false)
     }
 
     fn solve(&self, x: &mut [f64]) {
