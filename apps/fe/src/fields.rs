@@ -6,17 +6,21 @@ use fe_contact::state::{NodeValues, PairState};
 use fe_core::procedure::Converged;
 use fe_core::solid::PointFields;
 use fe_io::results::{FieldInfo, Location};
+use std::cell::OnceCell;
 
 /// Stresses and strains of all sections at their integration points; made only when something asks for them.
 pub struct Recovered {
     /// One for each section.
     pub blocks: Vec<PointFields>,
+    /// Stress at the nodes, which more than one field shows.
+    nodal_stress: OnceCell<Vec<[f64; 6]>>,
 }
 
 impl Recovered {
     /// At a displacement.
     pub fn at(terms: &Terms, u: &[f64]) -> Self {
-        Recovered { blocks: terms.solids.iter().map(|block| block.stresses(u)).collect() }
+        let blocks = terms.solids.iter().map(|block| block.stresses(u)).collect();
+        Recovered { blocks, nodal_stress: OnceCell::new() }
     }
 }
 
@@ -52,9 +56,9 @@ impl Source<'_> {
         match (field.name, field.location) {
             ("U", _) => self.vectors(|f| self.at.u[f]),
             ("RF", _) => self.vectors(|f| if self.fixed[f] { self.at.residual[f] } else { 0.0 }),
-            ("S", Location::Point) => self.nodal(Tensor::Stress).concat(),
+            ("S", Location::Point) => self.nodal_stress(<[_]>::concat),
             ("E", Location::Point) => self.nodal(Tensor::Strain).concat(),
-            ("MISES", Location::Point) => self.nodal(Tensor::Stress).iter().map(mises).collect(),
+            ("MISES", Location::Point) => self.nodal_stress(|stress| stress.iter().map(mises).collect()),
             ("S", Location::Cell) => self.cells(Tensor::Stress).concat(),
             ("E", Location::Cell) => self.cells(Tensor::Strain).concat(),
             ("MISES", Location::Cell) => self.cells(Tensor::Stress).iter().map(mises).collect(),
@@ -70,10 +74,9 @@ impl Source<'_> {
     fn vectors(&self, value: impl Fn(usize) -> f64) -> Vec<f64> {
         let freedoms = &self.terms.freedoms;
         let mut out = vec![0.0; 3 * freedoms.nodes()];
-        for f in 0..freedoms.len() {
-            let (node, component) = (freedoms.node(f), freedoms.component(f));
-            if component < 3 {
-                out[3 * node + component] = value(f);
+        for (node, place) in out.chunks_exact_mut(3).enumerate() {
+            for f in freedoms.of_node(node).filter(|&f| freedoms.component(f) < 3) {
+                place[freedoms.component(f)] = value(f);
             }
         }
         out
@@ -92,6 +95,12 @@ impl Source<'_> {
             }
         }
         sum.iter().zip(count).map(|(s, n)| s.map(|v| if n > 0 { v / f64::from(n) } else { f64::NAN })).collect()
+    }
+
+    /// What is made of the stress at the nodes, nothing where it was not recovered.
+    fn nodal_stress(&self, make: impl Fn(&[[f64; 6]]) -> Vec<f64>) -> Vec<f64> {
+        let stress = |recovered: &Recovered| make(recovered.nodal_stress.get_or_init(|| self.nodal(Tensor::Stress)));
+        self.recovered.map(stress).unwrap_or_default()
     }
 
     /// Mean over the integration points of each cell, in the mesh's order.
