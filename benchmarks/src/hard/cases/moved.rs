@@ -6,7 +6,7 @@ use crate::hard::deck::{self, Order};
 use crate::hard::finding::{Finding, difference, from_value};
 use crate::hard::patch::{self, Patch};
 use crate::hard::run::{Place, Solved};
-use fe_core::element::ElementType;
+use fe_core::element::{ElementType, Space};
 use fe_mesh::Mesh;
 use fe_mesh::generate::Block;
 
@@ -41,17 +41,29 @@ pub fn offset() -> Vec<Scene> {
             moved(place, (shift, bound), &|by| window(by, shift == EXACT_SHIFT))
         }));
     }
+    for (element, lower, upper) in [(ElementType::CPE4, 3, 4), (ElementType::C3D10, 2, 2)] {
+        let name = format!("patch {lower}/{upper} {}, held by contact alone, moved by 2^20", element.name());
+        scenes.push(Scene::new(name, move |place| {
+            let patch = Patch { element, ..Patch::plane(lower, upper) };
+            moved(place, (EXACT_SHIFT, 1e-9), &|by| patch.pressed(&shifted(&patch, by, true), Order::AsMade))
+        }));
+    }
     scenes.push(Scene::waits("A07 moved", "ITT elements, pipes"));
     scenes
 }
 
-/// The held patch moved by so much; `exact`: with coordinates rounded to multiples of 2⁻²⁰ before.
+/// The held patch moved by so much.
 fn held(patch: &Patch, by: f64, exact: bool) -> String {
+    patch.held(&shifted(patch, by, exact), Order::AsMade)
+}
+
+/// Its mesh; `exact`: with coordinates rounded to multiples of 2⁻²⁰ before.
+fn shifted(patch: &Patch, by: f64, exact: bool) -> Mesh {
     let mut mesh = patch.mesh();
-    let axes = if patch.element == ElementType::C3D8 { 3 } else { 2 };
+    let axes = if patch.element.space() == Space::Solid { 3 } else { 2 };
     let rounded = |x: f64| if exact { dyadic(x) } else { x };
     mesh.points.iter_mut().for_each(|p| (0..axes).for_each(|c| p[c] = rounded(p[c]) + by));
-    patch.held(&mesh, Order::AsMade)
+    mesh
 }
 
 /// The window [0, 2]² of a half plane pressed onto an arc of radius 1000 that it lies on at x = 0: sides and top are
