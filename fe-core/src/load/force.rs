@@ -184,11 +184,12 @@ impl Place {
         let (mut values, mut gradients) = ([0.0; NODES], [[0.0; 3]; NODES]);
         shape::values(kind, xi, &mut values);
         shape::gradients(kind, xi, &mut gradients);
-        let (mut position, mut tangents) = ([0.0; 3], [[0.0; 3]; 3]);
+        // Tangents from the first node, so that differences keep their digits far from the origin.
+        let (mut position, mut tangents, origin) = ([0.0; 3], [[0.0; 3]; 3], x[0]);
         for ((x, n), g) in x.iter().zip(&values).zip(&gradients) {
             for i in 0..3 {
                 position[i] += n * x[i];
-                tangents.iter_mut().zip(g).for_each(|(t, g)| t[i] += g * x[i]);
+                tangents.iter_mut().zip(g).for_each(|(t, g)| t[i] += g * (x[i] - origin[i]));
             }
         }
         Place { values, position, tangents }

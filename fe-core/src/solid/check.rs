@@ -221,11 +221,12 @@ impl Checker {
     }
 
     fn jacobian(&self, x: &[[f64; 3]], gradients: &[[f64; 3]]) -> f64 {
-        let mut j = [[0.0; 3]; 3];
+        // From the first node, so that differences keep their digits far from the origin.
+        let (mut j, origin) = ([[0.0; 3]; 3], x[0]);
         for (x, g) in x.iter().zip(gradients) {
             for i in 0..3 {
                 for d in 0..3 {
-                    j[i][d] += x[i] * g[d];
+                    j[i][d] += (x[i] - origin[i]) * g[d];
                 }
             }
         }

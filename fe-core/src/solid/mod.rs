@@ -18,12 +18,12 @@ mod tests;
 pub use check::{BadElement, Defect, FoldedCorner, Place, check};
 pub use recovery::PointFields;
 
-use crate::element::ElementType;
+use crate::element::{ElementType, Space};
 use crate::freedoms::Freedoms;
 use crate::material::Elastic;
 use crate::matrix::{Pattern, Scatter};
 use crate::structure::{Section, Structure};
-use fe_mesh::CellId;
+use fe_mesh::{CellId, Mesh};
 use lanes::{LANES, Lanes};
 use std::sync::{Arc, Mutex};
 
@@ -76,7 +76,7 @@ impl SolidBlock {
             elastic: material.elastic,
             thickness: section.thickness,
             cells: section.cells.clone(),
-            coordinates: pack(&nodes, element.kind().nodes(), directions, |node, i| mesh.points[node as usize][i]),
+            coordinates: local_coordinates(mesh, element, &nodes),
             nodes,
             starts,
             volumes,
@@ -120,6 +120,19 @@ impl SolidBlock {
         let starts = &self.starts[cells.start * n..cells.end * n];
         pack(starts, n, self.element.space().dimension(), |start, i| u[start as usize + i])
     }
+}
+
+/// Coordinates of the cells' nodes [L] from the first node of each cell, so that differences keep their digits far from
+/// the origin; radii stay what they are.
+fn local_coordinates(mesh: &Mesh, element: ElementType, nodes: &[u32]) -> Vec<Lanes> {
+    let (per_cell, directions) = (element.kind().nodes(), element.space().dimension());
+    let axisymmetric = element.space() == Space::Axisymmetric;
+    let places: Vec<u32> = (0..nodes.len() as u32).collect();
+    pack(&places, per_cell, directions, |place, i| {
+        let first = place as usize / per_cell * per_cell;
+        let [x, origin] = [place as usize, first].map(|place| mesh.points[nodes[place] as usize][i]);
+        if axisymmetric && i == 0 { x } else { x - origin }
+    })
 }
 
 /// Numbers of nodes, eight cells side by side, the last cell repeated: `[batches][nodes × directions]`.
