@@ -75,12 +75,13 @@ impl Newton {
     /// Counts an iteration and judges it.
     pub fn judge(&mut self, now: &Iterate) -> Result<Verdict, Reject> {
         let c = self.controls;
+        let mean = (self.past.0 + now.mean_force) / (self.past.1 + 1) as f64;
         let ratio = if now.largest_force > 0.0 { now.residual / now.largest_force } else { 0.0 };
         if now.status_changes > 0 {
             self.status_iterations += 1;
             let most = if c.convert_sdi { c.i_s_converted } else { c.i_s };
             // A point that flips with a pressure below round-off leaves an equilibrium as it was.
-            if self.settled(now) {
+            if self.settled(now, mean) {
                 return Ok(Verdict::Converged);
             }
             self.before = now.residual;
@@ -95,7 +96,6 @@ impl Newton {
             return Ok(Verdict::GoOn);
         }
         self.equilibrium_iterations += 1;
-        let mean = (self.past.0 + now.mean_force) / (self.past.1 + 1) as f64;
         if self.balanced(now, mean) {
             return Ok(Verdict::Converged);
         }
@@ -122,10 +122,10 @@ impl Newton {
         self.before = f64::INFINITY;
     }
 
-    /// Round-off explains the residual; where that is much, and yet not all there is, another iteration must not help
-    /// any more.
-    fn settled(&self, now: &Iterate) -> bool {
-        let little = now.residual <= self.controls.balance * now.largest_force || now.round_off >= now.largest_force;
+    /// Round-off explains the residual; where that is more than the controls allow, and yet not all there is, another
+    /// iteration must not help any more.
+    fn settled(&self, now: &Iterate, mean: f64) -> bool {
+        let little = now.residual <= self.allowed(now, mean) || now.round_off >= now.largest_force;
         now.residual <= now.round_off && (little || now.residual > STAGNANT * self.before)
     }
 
@@ -152,7 +152,7 @@ impl Newton {
     /// Residual and correction are small enough.
     fn balanced(&self, now: &Iterate, mean: f64) -> bool {
         let c = self.controls;
-        if self.settled(now) {
+        if self.settled(now, mean) {
             return true;
         }
         let force = now.residual <= self.allowed(now, mean);

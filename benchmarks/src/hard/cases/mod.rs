@@ -5,6 +5,7 @@ mod elements;
 mod faults;
 mod flush;
 mod idle;
+mod laws;
 mod moved;
 mod order;
 mod overclosure;
@@ -16,6 +17,8 @@ use super::Case;
 pub const CASES: &[Case] = &[
     Case { id: "D07", name: "initial_overclosure", scenes: overclosure::scenes },
     Case { id: "D09", name: "edges_and_vertices", scenes: edges::scenes },
+    Case { id: "D10", name: "tiny_c0", scenes: laws::tiny_clearance },
+    Case { id: "D11", name: "odd_laws", scenes: laws::odd },
     Case { id: "D15", name: "units", scenes: units::scenes },
     Case { id: "D16", name: "offset", scenes: moved::offset },
     Case { id: "D17", name: "rotation", scenes: moved::rotation },

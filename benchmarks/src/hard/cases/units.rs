@@ -1,5 +1,6 @@
 //! D15: the same scene in other units gives the same numbers and takes the same iterations.
 
+use super::laws;
 use crate::hard::ball::{self, Ball};
 use crate::hard::deck::Order;
 use crate::hard::finding::{Finding, difference};
@@ -38,7 +39,10 @@ pub fn scenes() -> Vec<Scene> {
         });
         scenes.push(scene.slow());
     }
-    scenes.push(Scene::waits("A03 in other units", "PRESSURE-OVERCLOSURE=EXPONENTIAL, springs"));
+    for (name, units) in UNITS {
+        let scene = Scene::new(format!("A03, {name}"), move |place| compared(place, units, &laws::exponential));
+        scenes.push(scene);
+    }
     scenes.push(Scene::waits("A10 in other units", "beams"));
     scenes.push(Scene::waits("B04 in other units, density", "dynamics"));
     scenes
