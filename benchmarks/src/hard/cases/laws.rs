@@ -53,7 +53,7 @@ fn brick([l, f]: [f64; 2], (law, data): (&str, &str), held: &str, steps: &str) -
 /// A step in which the stop stands at `stop` [L] and a pressure acts on a surface.
 fn step(stop: f64, surface: &str, pressure: f64) -> String {
     format!(
-        "*STEP\n*STATIC\n*CONTROLS, PARAMETERS=FIELD\n1e-12\n*BOUNDARY\n99, 3, 3, {stop:e}\n*DSLOAD\n{surface}, P, \
+        "*STEP\n*STATIC\n*CONTROLS, PARAMETERS=FIELD\n1e-12, , , , 1e-12\n*BOUNDARY\n99, 3, 3, {stop:e}\n*DSLOAD\n{surface}, P, \
          {pressure:e}\n*END STEP\n"
     )
 }
@@ -73,6 +73,10 @@ pub fn exponential([l, f, _]: [f64; 3]) -> String {
 /// Displacement of the near face towards the stop [L], and of the far face.
 fn displacement(solved: &Solved) -> [f64; 2] {
     [1, 5].map(|label| solved.displacement(label).map_or(f64::NAN, |u| -u[2]))
+}
+
+fn overclosures(solved: &Solved) -> impl Iterator<Item = f64> {
+    solved.pairs.iter().flat_map(|pair| pair.points.iter().map(|point| -point.opening))
 }
 
 /// Scenes of D10, with h/c₀ and the contact force F − k x of F = 500, p₀ = 50, computed with 60 digits.
@@ -96,7 +100,10 @@ pub fn tiny_clearance() -> Vec<Scene> {
                         let [x, _] = displacement(solved);
                         vec![
                             (from_value(force, &[500.0 - SPRING * x]), ALGEBRAIC),
-                            (from_value(ratio, &[(x - DISTANCE) / clearance]), rounding),
+                            (
+                                from_value(ratio, &overclosures(solved).map(|h| h / clearance).collect::<Vec<_>>()),
+                                rounding,
+                            ),
                             (from_value(force, &solved.pressures()), rounding),
                         ]
                     },
