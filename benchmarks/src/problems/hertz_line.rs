@@ -22,6 +22,7 @@ const SIZE: f64 = 2.0;
 const MODEL: f64 = 1e-5;
 const SURFACE: &str = "surface to surface";
 const STIFF: &str = "surface to surface, K/h²";
+const DIRECT: &str = "surface to surface, multipliers";
 const NODE: &str = "node to surface";
 
 /// The problem.
@@ -50,6 +51,7 @@ impl Problem for HertzLine {
         [
             (ElementType::CPE4, SURFACE, plane.clone()),
             (ElementType::CPE4, STIFF, plane.clone()),
+            (ElementType::CPE4, DIRECT, plane.clone()),
             (ElementType::CPE4, NODE, plane.clone()),
             (ElementType::CPE3, SURFACE, plane.clone()),
             (ElementType::CPE3, STIFF, plane),
@@ -84,18 +86,23 @@ impl Problem for HertzLine {
              *SOLID SECTION, ELSET=BLOCK, MATERIAL=M\n*SURFACE, NAME=ROLLER, TYPE={frame}\
              START, -{end}, {height:.17e}\nCIRCL, {end}, {height:.17e}, 0., -{RADIUS}\n\
              *RIGID BODY, ANALYTICAL SURFACE=ROLLER, REF NODE={reference}\n\
-             *SURFACE INTERACTION, NAME=HARD\n*SURFACE BEHAVIOR, PENALTY\n{stiffness}\
+             *SURFACE INTERACTION, NAME=HARD\n*SURFACE BEHAVIOR, {behavior}\n\
              *CONTACT PAIR, INTERACTION=HARD, TYPE={kind}\nTOUCH, ROLLER\n\
              *BOUNDARY\n{reference}, 1, 6\nXMIN, 1, 1\n{sides}*STEP\n*STATIC\n1., 1.\n*BOUNDARY\n{prescribed}\
              *NODE PRINT, NSET=BLOCK\nU\n*CONTACT PRINT\nCSTR\n*END STEP\n",
             young = ELASTIC.young,
             poisson = ELASTIC.poisson,
             kind = if curve.variant == NODE { "NODE TO SURFACE" } else { "SURFACE TO SURFACE" },
-            stiffness = if curve.variant == STIFF { stiffness(n) } else { String::new() },
+            behavior = match curve.variant {
+                STIFF => format!("PENALTY\n{}", stiffness(n)),
+                DIRECT => "DIRECT".into(),
+                _ => "PENALTY".into(),
+            },
         );
         let variant = match curve.variant {
             SURFACE => "surface",
             STIFF => "stiff",
+            DIRECT => "direct",
             _ => "node",
         };
         let name = format!("hertz_line_{}_{variant}_{n}", element.name().to_lowercase());
@@ -130,7 +137,7 @@ fn window() -> Window {
 fn stiffness(n: usize) -> String {
     let Elastic { young, poisson } = ELASTIC;
     let modulus = young * (1.0 - poisson) / ((1.0 + poisson) * (1.0 - 2.0 * poisson));
-    format!("{:.12e}\n", 80.0 * modulus * (n * n) as f64)
+    format!("{:.12e}", 80.0 * modulus * (n * n) as f64)
 }
 
 /// Data lines of `*BOUNDARY` with the exact displacements on x = 2 and y = 2, and how many free ones they hold; the
