@@ -32,6 +32,7 @@ const MODEL_PEAK: f64 = 2e-3;
 /// Largest difference between the pressures' sum and the load [-]: facets are curved.
 const BALANCE: f64 = 1e-6;
 const SURFACE: &str = "surface to surface";
+const DIRECT: &str = "surface to surface, multipliers";
 const NODE: &str = "node to surface";
 
 /// The problem.
@@ -57,6 +58,7 @@ impl Problem for HertzBall {
     fn curves(&self) -> Vec<Curve> {
         [
             (ElementType::CAX4, SURFACE, vec![2, 4, 8, 16, 32, 64]),
+            (ElementType::CAX4, DIRECT, vec![2, 4, 8, 16, 32, 64]),
             (ElementType::CAX4, NODE, vec![2, 4, 8, 16, 32, 64]),
             (ElementType::C3D8, SURFACE, vec![2, 4, 8, 12]),
             (ElementType::C3D8, NODE, vec![2, 4, 8, 12]),
@@ -87,14 +89,18 @@ impl Problem for HertzBall {
             "*NODE\n{reference}, 0., -1.\n*MATERIAL, NAME=STEEL\n*ELASTIC\n{YOUNG}, {POISSON}\n\
              *SOLID SECTION, ELSET=BLOCK, MATERIAL=STEEL\n\
              *SURFACE, NAME=FLOOR, TYPE={floor}*RIGID BODY, ANALYTICAL SURFACE=FLOOR, REF NODE={reference}\n\
-             *SURFACE INTERACTION, NAME=HARD\n*SURFACE BEHAVIOR, PENALTY\n\
+             *SURFACE INTERACTION, NAME=HARD\n*SURFACE BEHAVIOR, {enforcement}\n\
              *CONTACT PAIR, INTERACTION=HARD, TYPE={kind}\nTOUCH, FLOOR\n\
              *BOUNDARY\n{reference}, 1, 6\n{supports}*STEP\n*STATIC\n1., 1.\n*DSLOAD\nTOP, P, {pressure:.12e}\n\
              *CONTACT PRINT\nCSTR\n*END STEP\n",
-            kind = curve.variant.to_uppercase(),
+            kind = if curve.variant == NODE { "NODE TO SURFACE" } else { "SURFACE TO SURFACE" },
+            enforcement = if curve.variant == DIRECT { "DIRECT" } else { "PENALTY" },
         );
-        let name =
-            format!("hertz_ball_{}_{}_{n}", curve.element.name().to_lowercase(), curve.variant.replace(' ', "_"));
+        let name = format!(
+            "hertz_ball_{}_{}_{n}",
+            curve.element.name().to_lowercase(),
+            curve.variant.replace([' ', ','], "_")
+        );
         let held: usize = held.iter().map(|side| mesh.node_sets[*side].len()).sum();
         let unknowns = (up * mesh.points.len()) - held;
         Scene { name, mesh, elements: vec![("BLOCK", curve.element)], cards, unknowns }
