@@ -1,6 +1,7 @@
 //! Procedures: from one converged state to the next.
 
 pub mod newton;
+mod scale;
 pub mod static_general;
 pub mod system;
 

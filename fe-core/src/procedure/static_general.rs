@@ -1,6 +1,7 @@
 //! `*STATIC`: equilibrium at each time, by Newton's method.
 
 use super::newton::{Iterate, Newton, Verdict};
+use super::scale::Scale;
 use super::system::{Evaluation, Scene, System, dot};
 use super::{Converged, Convergence, Energy, Procedure, Seconds};
 use crate::increment::Attempt;
@@ -204,26 +205,31 @@ impl<'a> StaticGeneral<'a> {
 
     /// What an iteration left that moved by `length` · `delta` to `u`.
     fn iterate(&self, step: &Increment, u: &[f64], (length, delta): (f64, &[f64]), now: &Evaluation) -> Iterate {
-        let mut forces = ForceScale::default();
-        let mut residual: f64 = 0.0;
-        for (f, r) in now.residual.iter().enumerate() {
-            let reaction = if step.free[f] { 0.0 } else { r.abs() };
-            residual = if step.free[f] { residual.max(r.abs()) } else { residual };
-            forces.add(step.external[f].abs().max(now.nonlinear[f].abs()).max(reaction));
-        }
         let tangent = self.tangent(now);
         // Where a large displacement is taken back, the rounding of the correction stays.
         let moved: Vec<f64> = u.iter().zip(delta).map(|(u, d)| u.abs().max((length * d).abs())).collect();
         let products = tangent.map_or_else(|| self.system.shaken(&moved), |k| k.absolute_product(&moved));
-        let round_off = ROUND_OFF * products.into_iter().fold(0.0, f64::max);
+        // Forces and moments have scales of their own, displacements and rotations, too.
+        let (mut forces, mut moments) = (Scale::default(), Scale::default());
+        for (f, r) in now.residual.iter().enumerate() {
+            let turns = self.system.scene.freedoms.component(f) >= 3;
+            let scale = if turns { &mut moments } else { &mut forces };
+            let (residual, reaction) = if step.free[f] { (r.abs(), 0.0) } else { (0.0, r.abs()) };
+            scale.residual = scale.residual.max(residual);
+            scale.product = products.get(f).map_or(scale.product, |p| scale.product.max(*p));
+            scale.correction = scale.correction.max((length * delta[f]).abs());
+            scale.increment = scale.increment.max((u[f] - step.from.u[f]).abs());
+            scale.add(step.external[f].abs().max(now.nonlinear[f].abs()).max(reaction));
+        }
+        let scale = forces.with(&moments);
         Iterate {
-            residual,
-            largest_force: forces.largest,
-            mean_force: forces.mean(),
-            correction: delta.iter().fold(0.0, |m: f64, d| m.max((length * d).abs())),
-            increment: u.iter().zip(&step.from.u).fold(0.0, |m, (a, b)| (a - b).abs().max(m)),
+            residual: scale.residual,
+            largest_force: scale.largest,
+            mean_force: scale.mean(),
+            correction: scale.correction,
+            increment: scale.increment,
             status_changes: now.status_changes,
-            round_off,
+            round_off: ROUND_OFF * scale.product,
         }
     }
 }
@@ -244,27 +250,6 @@ impl Increment<'_> {
 
     fn total_time(&self) -> f64 {
         self.from.total_time - self.from.step_time + self.attempt.step_time
-    }
-}
-
-#[derive(Default)]
-struct ForceScale {
-    largest: f64,
-    sum: f64,
-    count: usize,
-}
-
-impl ForceScale {
-    fn add(&mut self, force: f64) {
-        if force > 0.0 {
-            self.largest = self.largest.max(force);
-            self.sum += force;
-            self.count += 1;
-        }
-    }
-
-    fn mean(&self) -> f64 {
-        if self.count > 0 { self.sum / self.count as f64 } else { 0.0 }
     }
 }
 
