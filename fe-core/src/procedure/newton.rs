@@ -32,6 +32,9 @@ const LINEAR_INCREMENT: f64 = 1e-8;
 /// A residual above this part of the last one does not fall any more.
 const STAGNANT: f64 = 0.5;
 
+/// A residual falls ever faster when the logarithm of its fall grows by more than this factor.
+const QUICKENS: f64 = 1.1;
+
 /// What to do after an iteration.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Verdict {
@@ -50,6 +53,8 @@ pub struct Newton {
     augmented: usize,
     /// Residual of the last iteration without a change of status, since the last one with.
     last_residual: f64,
+    /// ln of how many times the residual became smaller in the last iteration.
+    last_fall: f64,
     /// Residual of the last iteration.
     before: f64,
     grown: usize,
@@ -66,6 +71,7 @@ impl Newton {
             equilibrium_iterations: 0,
             augmented: 0,
             last_residual: f64::INFINITY,
+            last_fall: f64::INFINITY,
             before: f64::INFINITY,
             grown: 0,
             past,
@@ -101,13 +107,16 @@ impl Newton {
         }
         let iterations = self.equilibrium_iterations;
         let foreseen = self.foreseen(now, mean);
+        // On a steep law Newton's method quickens late.
+        let fall = (self.last_residual / now.residual).ln();
+        let quickens = fall > QUICKENS * std::mem::replace(&mut self.last_fall, fall);
         self.grown = if now.residual > self.last_residual { self.grown + 1 } else { 0 };
         self.last_residual = now.residual;
         self.before = now.residual;
         if iterations > c.i_0 && self.grown >= 2 {
             return Err(Reject::Diverging { iterations, residual: ratio });
         }
-        if iterations >= c.i_c || (iterations >= c.i_r && foreseen > c.i_c as f64) {
+        if iterations >= c.i_c || (iterations >= c.i_r && foreseen > c.i_c as f64 && !quickens) {
             return Err(Reject::NoConvergence { iterations, residual: ratio });
         }
         Ok(Verdict::GoOn)
