@@ -37,8 +37,8 @@ enum Factored {
     Nothing,
     /// The stiffness of the linear terms.
     Linear,
-    /// A tangent with these values.
-    Tangent(Vec<f64>),
+    /// A tangent.
+    Tangent(BlockMatrix),
 }
 
 /// Static equilibrium over the increments of one step.
@@ -47,6 +47,8 @@ pub struct StaticGeneral<'a> {
     controls: Controls,
     solver: Box<dyn LinearSolver + 'a>,
     factored: Factored,
+    /// Memory of a tangent that is no longer needed.
+    spare: Option<BlockMatrix>,
     factorisations: usize,
     mean_forces: (f64, usize),
     seconds: Seconds,
@@ -65,7 +67,7 @@ impl<'a> StaticGeneral<'a> {
             seconds.order = start.elapsed().as_secs_f64();
         }
         let (factored, mean_forces) = (Factored::Nothing, (0.0, 0));
-        Ok(StaticGeneral { system, controls, solver, factored, factorisations: 0, mean_forces, seconds })
+        Ok(StaticGeneral { system, controls, solver, factored, spare: None, factorisations: 0, mean_forces, seconds })
     }
 
     /// What one factorisation costs; `None` where there is no matrix.
@@ -87,7 +89,7 @@ impl<'a> StaticGeneral<'a> {
         let start = Instant::now();
         let du: Vec<f64> = u.iter().zip(&step.from.u).map(|(a, b)| a - b).collect();
         let at = step.motion(u, &du);
-        let evaluation = self.system.evaluate(at, &step.external, (&step.from.history, new), true);
+        let evaluation = self.system.evaluate(at, &step.external, (&step.from.history, new), self.spare.take());
         self.seconds.assemble += start.elapsed().as_secs_f64();
         evaluation
     }
@@ -106,7 +108,7 @@ impl<'a> StaticGeneral<'a> {
         let Some(tangent) = evaluation.tangent.as_ref().or(self.system.linear.as_ref()) else { return Ok(()) };
         let current = match (&self.factored, &evaluation.tangent) {
             (Factored::Linear, None) => true,
-            (Factored::Tangent(values), Some(tangent)) => *values == tangent.values,
+            (Factored::Tangent(last), Some(tangent)) => last.values == tangent.values,
             _ => false,
         };
         if current {
@@ -114,7 +116,11 @@ impl<'a> StaticGeneral<'a> {
         }
         let mut factored = match std::mem::replace(&mut self.factored, Factored::Nothing) {
             Factored::Nothing => self.solver.factor(tangent),
-            Factored::Linear | Factored::Tangent(_) => self.solver.factor_again(tangent),
+            Factored::Linear => self.solver.factor_again(tangent),
+            Factored::Tangent(last) => {
+                self.spare = Some(last);
+                self.solver.factor_again(tangent)
+            }
         };
         if let (Err(_), Some(tangent)) = (factored, &mut evaluation.tangent)
             && self.system.stiffen(u, tangent)
@@ -148,7 +154,10 @@ impl<'a> StaticGeneral<'a> {
         right.iter_mut().zip(&evaluation.residual).for_each(|(b, r)| *b = -*b - r);
         self.solver.solve(&mut right);
         delta.iter_mut().zip(&right).for_each(|(d, x)| *d += x);
-        self.factored = evaluation.tangent.map_or(Factored::Linear, |tangent| Factored::Tangent(tangent.values));
+        let factored = evaluation.tangent.map_or(Factored::Linear, Factored::Tangent);
+        if let Factored::Tangent(last) = std::mem::replace(&mut self.factored, factored) {
+            self.spare = Some(last);
+        }
         self.seconds.solve += start.elapsed().as_secs_f64();
         let slope = if carries { 0.0 } else { dot(&delta, &evaluation.residual) };
         Ok((delta, slope))

@@ -51,7 +51,7 @@ pub struct Evaluation {
     pub residual: Vec<f64>,
     /// Of it, what the terms that are not linear give.
     pub nonlinear: Vec<f64>,
-    /// Tangent, when asked for; `None` too where the linear part is all of it.
+    /// Tangent; `None` where the linear part is all of it.
     pub tangent: Option<BlockMatrix>,
     /// Energy of the linear terms [F L].
     pub linear_energy: f64,
@@ -106,19 +106,26 @@ impl<'a> System<'a> {
         force.iter().map(|f| f.abs()).collect()
     }
 
-    /// Evaluates all terms. `history` holds for each term (old, new).
+    /// Evaluates all terms. `history` holds for each term (old, new); `spare` is a matrix of this scene whose memory the
+    /// tangent may take.
     pub fn evaluate(
         &self,
         at: Motion,
         external: &[f64],
         history: (&[Vec<f64>], &mut [Vec<f64>]),
-        with_tangent: bool,
+        spare: Option<BlockMatrix>,
     ) -> Result<Evaluation, Reject> {
         let n = self.scene.freedoms.len();
         let mut residual = vec![0.0; n];
         let mut nonlinear = vec![0.0; n];
         let mut tangent = match &self.linear {
-            Some(linear) if with_tangent && !self.is_linear() => Some(linear.clone()),
+            Some(linear) if !self.is_linear() => Some(match spare {
+                Some(mut matrix) => {
+                    matrix.values.copy_from_slice(&linear.values);
+                    matrix
+                }
+                None => linear.clone(),
+            }),
             _ => None,
         };
         let (mut linear_energy, mut nonlinear_energy, mut status_changes) = (0.0, 0.0, 0);
