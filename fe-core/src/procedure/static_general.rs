@@ -108,7 +108,7 @@ impl<'a> StaticGeneral<'a> {
         let Some(tangent) = evaluation.tangent.as_ref().or(self.system.linear.as_ref()) else { return Ok(()) };
         let current = match (&self.factored, &evaluation.tangent) {
             (Factored::Linear, None) => true,
-            (Factored::Tangent(last), Some(tangent)) => last.values == tangent.values,
+            (Factored::Tangent(last), Some(tangent)) => self.system.same(last, tangent),
             _ => false,
         };
         if current {

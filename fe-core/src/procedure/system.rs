@@ -6,6 +6,7 @@ use crate::matrix::{BlockMatrix, Couplings, Pattern};
 use crate::ramp::Ramp;
 use crate::reject::Reject;
 use crate::term::{Assembly, Motion, Term};
+use std::ops::Range;
 use std::sync::Arc;
 
 /// What acts in one step.
@@ -67,6 +68,8 @@ pub struct System<'a> {
     pub scene: Scene<'a>,
     /// Stiffness of the linear terms; `None` where no freedom is free.
     pub linear: Option<BlockMatrix>,
+    /// Where its values stand that other terms add to: what a tangent may differ in.
+    changing: Vec<Range<usize>>,
 }
 
 impl<'a> System<'a> {
@@ -84,7 +87,22 @@ impl<'a> System<'a> {
                 term.evaluate(at, &[], &mut [], &mut out)?;
             }
         }
-        Ok(System { scene, linear })
+        let changing = linear.as_ref().map_or(Vec::new(), |matrix| changing(&matrix.pattern, &scene.changing()));
+        Ok(System { scene, linear, changing })
+    }
+
+    /// True when two tangents of this scene are equal.
+    pub fn same(&self, one: &BlockMatrix, other: &BlockMatrix) -> bool {
+        self.changing.iter().all(|range| one.values[range.clone()] == other.values[range.clone()])
+    }
+
+    /// The linear part as a matrix of its own, in the memory of an earlier tangent where there is one.
+    fn copy(&self, linear: &BlockMatrix, spare: Option<BlockMatrix>) -> BlockMatrix {
+        let Some(mut matrix) = spare else { return linear.clone() };
+        for range in &self.changing {
+            matrix.values[range.clone()].copy_from_slice(&linear.values[range.clone()]);
+        }
+        matrix
     }
 
     /// True when every term is linear: the tangent is then [`System::linear`] itself.
@@ -106,8 +124,8 @@ impl<'a> System<'a> {
         force.iter().map(|f| f.abs()).collect()
     }
 
-    /// Evaluates all terms. `history` holds for each term (old, new); `spare` is a matrix of this scene whose memory the
-    /// tangent may take.
+    /// Evaluates all terms. `history` holds for each term (old, new); `spare` is an earlier tangent, whose memory the
+    /// new one takes.
     pub fn evaluate(
         &self,
         at: Motion,
@@ -119,13 +137,7 @@ impl<'a> System<'a> {
         let mut residual = vec![0.0; n];
         let mut nonlinear = vec![0.0; n];
         let mut tangent = match &self.linear {
-            Some(linear) if !self.is_linear() => Some(match spare {
-                Some(mut matrix) => {
-                    matrix.values.copy_from_slice(&linear.values);
-                    matrix
-                }
-                None => linear.clone(),
-            }),
+            Some(linear) if !self.is_linear() => Some(self.copy(linear, spare)),
             _ => None,
         };
         let (mut linear_energy, mut nonlinear_energy, mut status_changes) = (0.0, 0.0, 0);
@@ -170,6 +182,22 @@ impl<'a> System<'a> {
 /// Signs without a pattern: the top bit of the index times the golden ratio.
 fn sign(index: usize) -> f64 {
     if (index as u64).wrapping_mul(0x9E37_79B9_7F4A_7C15) >> 63 == 0 { 1.0 } else { -1.0 }
+}
+
+/// Where the values of the blocks between two changing nodes stand, neighbours in one.
+fn changing(pattern: &Pattern, nodes: &[bool]) -> Vec<Range<usize>> {
+    let mut ranges: Vec<Range<usize>> = Vec::new();
+    for row in (0..pattern.nodes()).filter(|&row| nodes[row]) {
+        let blocks = pattern.row_start[row]..pattern.row_start[row + 1];
+        for block in blocks.filter(|&block| nodes[pattern.columns[block] as usize]) {
+            let values = pattern.value_start[block]..pattern.value_start[block + 1];
+            match ranges.last_mut() {
+                Some(last) if last.end == values.start => last.end = values.end,
+                _ => ranges.push(values),
+            }
+        }
+    }
+    ranges
 }
 
 /// Σ aᵢ bᵢ.
