@@ -7,7 +7,6 @@ use crate::pair::PairDefinition;
 use crate::search::Bounds;
 use crate::surface::{Main, Secondary};
 use fe_core::Structure;
-use fe_core::element::Space;
 use fe_mesh::{CellKind, Face};
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -107,7 +106,7 @@ fn origin(structure: &Structure, pair: &PairDefinition) -> Vec3 {
     let points: Vec<Vec3> = nodes.iter().map(|&n| structure.mesh.points[n as usize].into()).collect();
     let Bounds { low, high } = Bounds::around(&points, 0.0);
     let size = (high - low).norm();
-    let axisymmetric = structure.elements.iter().any(|e| e.space() == Space::Axisymmetric);
+    let axisymmetric = structure.is_axisymmetric();
     Vec3::from_fn(|c, _| {
         let far = low[c] > FAR * size || high[c] < -FAR * size;
         if far && !(axisymmetric && c == 0) { low[c] } else { 0.0 }

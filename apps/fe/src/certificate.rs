@@ -149,8 +149,7 @@ impl RunCertificate {
         self.worst.contact_share = self.worst.contact_share.max(last.contact_share);
         self.worst.imbalance = self.worst.imbalance.max(last.imbalance);
         self.increments += 1;
-        self.iterations +=
-            convergence.status_iterations + convergence.augmented_iterations + convergence.equilibrium_iterations;
+        self.iterations += convergence.iterations();
     }
 }
 

@@ -52,7 +52,7 @@ impl Observer for Recorded {
             Event::Note(note) => self.notes.push(note.into()),
             Event::Step { plan, .. } => self.plans.push(plan.to_string()),
             Event::Increment { convergence, certificate, .. } => {
-                self.iterations += convergence.status_iterations + convergence.equilibrium_iterations;
+                self.iterations += convergence.iterations();
                 self.certificates.push(certificate.clone());
             }
             Event::Cutback { .. } => self.cutbacks += 1,

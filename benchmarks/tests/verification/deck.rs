@@ -2,7 +2,7 @@
 
 use benchmarks::problem::{MeshFile, Scene};
 use fe::Report;
-use fe::observer::{Event, Observer};
+use fe::observer::Silent;
 use fe::terms::Terms;
 use fe_core::element::ElementType;
 use fe_io::{Deck, resolve};
@@ -19,12 +19,6 @@ pub struct Solution {
     pub u: Vec<[f64; 3]>,
     /// Certificate and last state.
     pub report: Report,
-}
-
-struct Silent;
-
-impl Observer for Silent {
-    fn event(&mut self, _: Event) {}
 }
 
 static RUNS: AtomicUsize = AtomicUsize::new(0);

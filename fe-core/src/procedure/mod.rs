@@ -57,6 +57,11 @@ pub struct Convergence {
 }
 
 impl Convergence {
+    /// All iterations of the increment.
+    pub fn iterations(&self) -> usize {
+        self.status_iterations + self.augmented_iterations + self.equilibrium_iterations
+    }
+
     /// Largest residual over the largest force [-]; 0 in a scene without forces above round-off.
     pub fn ratio(&self) -> f64 {
         if self.largest_force > self.round_off { self.residual / self.largest_force } else { 0.0 }

@@ -63,7 +63,7 @@ impl<'a> StaticGeneral<'a> {
         seconds.assemble = start.elapsed().as_secs_f64();
         if let Some(linear) = &system.linear {
             let start = Instant::now();
-            solver.analyse(&linear.pattern, &system.scene.free(), &system.scene.changing());
+            solver.analyse(&linear.pattern, &system.scene.free(), &system.changing);
             seconds.order = start.elapsed().as_secs_f64();
         }
         let (factored, mean_forces) = (Factored::Nothing, (0.0, 0));

@@ -68,8 +68,10 @@ pub struct System<'a> {
     pub scene: Scene<'a>,
     /// Stiffness of the linear terms; `None` where no freedom is free.
     pub linear: Option<BlockMatrix>,
-    /// Where its values stand that other terms add to: what a tangent may differ in.
-    changing: Vec<Range<usize>>,
+    /// True for each node between which other terms add stiffness, `[nodes]`; see [`Scene::changing`].
+    pub changing: Vec<bool>,
+    /// Where the values between two of these stand: what a tangent may differ in.
+    changing_values: Vec<Range<usize>>,
 }
 
 impl<'a> System<'a> {
@@ -87,19 +89,20 @@ impl<'a> System<'a> {
                 term.evaluate(at, &[], &mut [], &mut out)?;
             }
         }
-        let changing = linear.as_ref().map_or(Vec::new(), |matrix| changing(&matrix.pattern, &scene.changing()));
-        Ok(System { scene, linear, changing })
+        let changing = if any_free { scene.changing() } else { Vec::new() };
+        let changing_values = linear.as_ref().map_or(Vec::new(), |matrix| values_between(&matrix.pattern, &changing));
+        Ok(System { scene, linear, changing, changing_values })
     }
 
     /// True when two tangents of this scene are equal.
     pub fn same(&self, one: &BlockMatrix, other: &BlockMatrix) -> bool {
-        self.changing.iter().all(|range| one.values[range.clone()] == other.values[range.clone()])
+        self.changing_values.iter().all(|range| one.values[range.clone()] == other.values[range.clone()])
     }
 
     /// The linear part as a matrix of its own, in the memory of an earlier tangent where there is one.
     fn copy(&self, linear: &BlockMatrix, spare: Option<BlockMatrix>) -> BlockMatrix {
         let Some(mut matrix) = spare else { return linear.clone() };
-        for range in &self.changing {
+        for range in &self.changing_values {
             matrix.values[range.clone()].copy_from_slice(&linear.values[range.clone()]);
         }
         matrix
@@ -184,8 +187,8 @@ fn sign(index: usize) -> f64 {
     if (index as u64).wrapping_mul(0x9E37_79B9_7F4A_7C15) >> 63 == 0 { 1.0 } else { -1.0 }
 }
 
-/// Where the values of the blocks between two changing nodes stand, neighbours in one.
-fn changing(pattern: &Pattern, nodes: &[bool]) -> Vec<Range<usize>> {
+/// Where the values of the blocks between two of these nodes stand, neighbours in one.
+fn values_between(pattern: &Pattern, nodes: &[bool]) -> Vec<Range<usize>> {
     let mut ranges: Vec<Range<usize>> = Vec::new();
     for row in (0..pattern.nodes()).filter(|&row| nodes[row]) {
         let blocks = pattern.row_start[row]..pattern.row_start[row + 1];
