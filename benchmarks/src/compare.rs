@@ -4,7 +4,7 @@ use crate::machine::Origin;
 use crate::peer::Solver;
 use crate::problem::{MeshFile, Problem};
 use crate::rows::{Row, median, quantile};
-use crate::study::{Options, medians, row, run_once};
+use crate::study::{Job, Options, medians};
 use std::error::Error;
 use std::io::Write;
 
@@ -37,17 +37,18 @@ pub fn compare(problem: &dyn Problem, options: &Options, out: &mut dyn Write) ->
         if scene.unknowns > options.most {
             continue;
         }
+        let write =
+            |solver: &Solver| scene.write(&options.work.join(problem.name()).join(solver.name), MeshFile::Cards);
+        let job = |solver| -> std::io::Result<Job> {
+            let (curve, threads) = (curve.name(), options.threads);
+            Ok(Job { problem, curve, n, scene: &scene, solver, deck: write(solver)?, threads })
+        };
+        let jobs = solvers.iter().map(job).collect::<Result<Vec<_>, _>>()?;
         let mut runs: Vec<Vec<Row>> = vec![Vec::new(); solvers.len()];
         for run in 0..=options.runs {
-            for (solver, runs) in solvers.iter().zip(&mut runs) {
-                let folder = options.work.join(problem.name()).join(solver.name);
-                let deck = scene.write(&folder, MeshFile::Cards)?;
-                let (cost, errors) = run_once(problem, &scene, (solver, &deck, options.threads))?;
-                if run > 0 {
-                    let command = format!("{} {}.inp", solver.name, scene.name);
-                    let threads = options.threads;
-                    runs.push(Row { cost, errors, command, threads, ..row(&curve.name(), n, &scene, solver, run) });
-                }
+            for (job, runs) in jobs.iter().zip(&mut runs) {
+                let row = job.run(run)?;
+                runs.extend((run > 0).then_some(row));
             }
         }
         for (solver, runs) in solvers.iter().zip(&runs) {

@@ -1,5 +1,6 @@
 //! What a problem is: a scene at any refinement, and the errors of what was computed of it.
 
+use crate::cards::{self, Digits, Order};
 use fe_core::element::ElementType;
 use fe_core::material::{Elastic, Material};
 use fe_core::{Section, Structure};
@@ -93,7 +94,7 @@ impl Scene {
             MeshFile::Cards => {
                 std::fs::write(
                     folder.join(format!("{name}_mesh.inp")),
-                    crate::cards::mesh(&self.mesh, &self.elements),
+                    cards::mesh(&self.mesh, &self.elements, Order::AsMade, Digits::Thirteen),
                 )?;
                 deck += &format!("*INCLUDE, INPUT={name}_mesh.inp\n");
             }

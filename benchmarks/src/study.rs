@@ -26,32 +26,52 @@ pub struct Options {
     pub results: PathBuf,
 }
 
-/// Runs a scene that was written to `deck` once, and measures the errors of what it printed.
-pub fn run_once(
-    problem: &dyn Problem,
-    scene: &Scene,
-    (solver, deck, threads): (&Solver, &Path, usize),
-) -> Result<(measure::Cost, Vec<f64>), Box<dyn Error>> {
-    let folder = deck.parent().unwrap_or(Path::new("."));
-    let log = format!("{}.{}.log", scene.name, solver.name);
-    let cost = measure::run(&solver.command(deck, threads), folder, &log, threads)?;
-    let answer = Answer::read(&deck.with_extension("dat"))?;
-    Ok((cost, problem.errors(scene, &answer)?))
+/// A scene of a problem, written for a solver.
+pub struct Job<'a> {
+    /// The problem, which measures the errors.
+    pub problem: &'a dyn Problem,
+    /// Name of the curve.
+    pub curve: String,
+    /// Refinement.
+    pub n: usize,
+    /// The scene.
+    pub scene: &'a Scene,
+    /// Who runs it.
+    pub solver: &'a Solver,
+    /// Path of the deck.
+    pub deck: PathBuf,
+    /// Threads.
+    pub threads: usize,
 }
 
-/// The row of a run.
-pub fn row(curve: &str, n: usize, scene: &Scene, solver: &Solver, run: usize) -> Row {
-    Row {
-        curve: curve.into(),
-        n,
-        unknowns: scene.unknowns,
-        version: solver.version.clone(),
-        threads: 0,
-        run,
-        cost: measure::Cost { wall: 0.0, cpu: 0.0, memory: 0.0 },
-        errors: Vec::new(),
-        command: String::new(),
+impl Job<'_> {
+    /// Runs it, as the run of this number, and measures the errors of what it printed.
+    pub fn run(&self, number: usize) -> Result<Row, Box<dyn Error>> {
+        let Job { problem, n, scene, solver, deck, threads, .. } = self;
+        let folder = deck.parent().unwrap_or(Path::new("."));
+        let log = format!("{}.{}.log", scene.name, solver.name);
+        let command = solver.command(deck, *threads);
+        let cost = measure::run(&command, folder, &log, *threads)?;
+        let answer = Answer::read(&deck.with_extension("dat"))?;
+        Ok(Row {
+            curve: self.curve.clone(),
+            n: *n,
+            unknowns: scene.unknowns,
+            version: solver.version.clone(),
+            threads: *threads,
+            run: number,
+            cost,
+            errors: problem.errors(scene, &answer)?,
+            command: without_folder(&command),
+        })
     }
+}
+
+/// A command as a line, its program without the folder.
+fn without_folder(command: &[String]) -> String {
+    let (program, arguments) = command.split_first().map_or(("", &[][..]), |(p, a)| (p.as_str(), a));
+    let name = Path::new(program).file_name().unwrap_or_default().to_string_lossy().into_owned();
+    std::iter::once(name.as_str()).chain(arguments.iter().map(String::as_str)).collect::<Vec<_>>().join(" ")
 }
 
 /// Measures all curves of a problem, prints table and rates, and writes rows and plots.
@@ -77,14 +97,12 @@ pub fn study(problem: &dyn Problem, options: &Options, out: &mut dyn Write) -> R
                 continue;
             }
             let deck = scene.write(&folder, MeshFile::Gmsh)?;
+            let (curve, threads) = (curve.name(), options.threads);
+            let job = Job { problem, curve, n, scene: &scene, solver: &solver, deck, threads };
             let from = rows.len();
             for run in 0..=options.runs {
-                let (cost, errors) = run_once(problem, &scene, (&solver, &deck, options.threads))?;
-                if run > 0 {
-                    let command = format!("fe run {}.inp --threads {}", scene.name, options.threads);
-                    let threads = options.threads;
-                    rows.push(Row { cost, errors, command, threads, ..row(&curve.name(), n, &scene, &solver, run) });
-                }
+                let row = job.run(run)?;
+                rows.extend((run > 0).then_some(row));
             }
             print_scene(out, problem.norms(), &rows[from..])?;
         }

@@ -128,8 +128,9 @@ fn length(v: [f64; 3]) -> f64 {
 }
 
 /// The kind with the corners of a cell alone.
-fn corners(kind: CellKind) -> CellKind {
+pub(crate) fn corners(kind: CellKind) -> CellKind {
     match kind {
+        CellKind::Line3 => CellKind::Line2,
         CellKind::Tet10 => CellKind::Tet4,
         CellKind::Tri6 => CellKind::Tri3,
         CellKind::Quad8 => CellKind::Quad4,

@@ -1,6 +1,6 @@
 //! Sums over the nodes of a contact surface: what a pressure known at nodes amounts to.
 
-use crate::norm::{NodalPressure, nodal_pressure};
+use crate::norm::{NodalPressure, corners, nodal_pressure};
 use fe_mesh::quadrature::Rule;
 use fe_mesh::{CellKind, Face, Mesh, shape};
 use nalgebra::Vector3;
@@ -76,12 +76,7 @@ fn distance([x, y, _]: [f64; 3], contact: Contact) -> f64 {
 /// At each place of a rule that integrates φ r² exactly on flat facets: hat functions of the corners, distance, share
 /// of the area.
 fn places(kind: CellKind, points: &[[f64; 3]], contact: Contact) -> Vec<(Vec<f64>, f64, f64)> {
-    let corners = match kind {
-        CellKind::Line3 => CellKind::Line2,
-        CellKind::Tri6 => CellKind::Tri3,
-        CellKind::Quad8 => CellKind::Quad4,
-        kind => kind,
-    };
+    let corners = corners(kind);
     let place = |(xi, weight): ([f64; 3], f64)| {
         let (mut hats, mut shapes) = (vec![0.0; corners.nodes()], vec![0.0; points.len()]);
         let mut slopes = vec![[0.0; 3]; points.len()];

@@ -5,6 +5,7 @@
 //! a² = 4PR/πE*, p₀ = 2P/πa, p = p₀ √(1 − x²/a²). It is that of half spaces: the circle is no parabola by (a/R)² = 3e-5
 //! of the pressure, and the cut changes the curvature by about (π/4)(a/160)² = 3e-5.
 
+use super::contact_area::{Contact, Pressure, nodes, sums};
 use super::grading::Grading;
 use crate::problem::{Answer, Curve, Norm, Problem, Scene};
 use fe_core::element::ElementType;
@@ -84,27 +85,20 @@ impl Problem for Cylinder {
 
     fn errors(&self, scene: &Scene, answer: &Answer) -> Result<Vec<f64>, String> {
         let mesh = &scene.mesh;
-        let width = mesh.points.iter().map(|p| p[2]).fold(0.0, f64::max);
-        let force = 2.0 * answer.total_force("CYLINDER_YMAX")?[1].abs() / width;
+        let thickness = mesh.points.iter().map(|p| p[2]).fold(0.0, f64::max);
+        let force = 2.0 * answer.total_force("CYLINDER_YMAX")?[1].abs() / thickness;
         let modulus = 0.5 * YOUNG / (1.0 - POISSON * POISSON);
         let half_width = (4.0 * force * RADIUS / (PI * modulus)).sqrt();
         let peak = 2.0 * force / (PI * half_width);
         let pressures = answer.pressures(mesh)?;
-        let mut line: Vec<(f64, f64)> = (mesh.node_sets["CYLINDER_YMIN"].iter())
-            .filter(|&&node| mesh.points[node as usize][2] == 0.0)
-            .map(|&node| (mesh.points[node as usize][0], pressures[node as usize]))
-            .collect();
-        line.sort_by(|a, b| a.0.total_cmp(&b.0));
-        // Sums over nodes with the length that each stands for; the second moment of the answer is a²/4 of the force.
+        let nodes = nodes(mesh, &mesh.surfaces["CYLINDER_TOUCH"], Contact::Line);
         let exact = |x: f64| peak * (1.0 - (x / half_width).powi(2)).max(0.0).sqrt();
-        let mut sums = [0.0; 4];
-        for (i, &(x, p)) in line.iter().enumerate() {
-            let length = 0.5 * (line[(i + 1).min(line.len() - 1)].0 - line[i.saturating_sub(1)].0);
-            let terms = [p, p * x * x, (p - exact(x)).powi(2), exact(x).powi(2)];
-            sums.iter_mut().zip(terms).for_each(|(sum, term)| *sum += length * term);
-        }
-        let found = 2.0 * (sums[1] / sums[0]).sqrt();
-        Ok(vec![line[0].1 / peak - 1.0, found / half_width - 1.0, (sums[2] / sums[3]).sqrt()])
+        let found = sums(&nodes, &pressures, Pressure::Mean, exact);
+        let middle = nodes.iter().filter(|node| node.distance == 0.0).map(|node| pressures[node.point]);
+        let largest = middle.clone().sum::<f64>() / middle.count() as f64;
+        // The second moment of Hertz's pressure is a²/4 of the force.
+        let width = 2.0 * (found.moment / found.force).sqrt();
+        Ok(vec![largest / peak - 1.0, width / half_width - 1.0, found.error])
     }
 }
 
