@@ -64,11 +64,7 @@ impl Pair {
         }
         if shift != 0.0 {
             // What the multiplier itself has stored is no energy of the contact.
-            answer.energy -= if shift > 0.0 {
-                self.law.respond(kink - shift).energy
-            } else {
-                mirrored(&*self.law, kink - shift).energy
-            };
+            answer.energy -= self.law.respond(kink - shift.abs()).energy;
         }
         (answer, status)
     }

@@ -15,8 +15,16 @@ use fe_core::procedure::static_general::StaticGeneral;
 use fe_io::{Deck, Model, resolve};
 use std::path::{Path, PathBuf};
 
-const SCENES: [&str; 7] =
-    ["all_prescribed", "deformable_pair", "held_by_contact", "node_based", "rigid_main", "rigid_ring", "solids_alone"];
+const SCENES: [&str; 8] = [
+    "all_prescribed",
+    "deformable_pair",
+    "held_by_contact",
+    "multipliers",
+    "node_based",
+    "rigid_main",
+    "rigid_ring",
+    "solids_alone",
+];
 
 fn folder() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/plans")
@@ -66,6 +74,7 @@ fn model(name: &str) -> Model {
 /// What stands in memory when the first step of a scene begins.
 struct Begun {
     searched: Vec<Option<usize>>,
+    points: usize,
     history: usize,
     matrix: bool,
     solver: bool,
@@ -84,6 +93,7 @@ fn begun(name: &str) -> Begun {
     assert_eq!(terms.pairs.capacity() == 0, terms.pairs.is_empty(), "{name}: no storage without pairs");
     Begun {
         searched: terms.pairs.iter().map(|pair| pair.summary().searched).collect(),
+        points: terms.pairs.iter().map(|pair| pair.points.len()).sum(),
         history: terms.all().iter().map(|term| term.history()).sum(),
         matrix: procedure.pattern().is_some(),
         solver: procedure.cost().is_some(),
@@ -91,16 +101,19 @@ fn begun(name: &str) -> Begun {
     }
 }
 
-/// No matrix, ordering or factor without unknowns; no search with rigid mains; no history without a state.
+/// No matrix, ordering or factor without unknowns; no search with rigid mains; no history without a state, no multiplier
+/// beside a penalty or a law.
 #[test]
 fn what_a_plan_leaves_out_is_not_there() {
     for name in SCENES {
-        let Begun { searched, history, matrix, solver, free } = begun(name);
+        let Begun { searched, points, history, matrix, solver, free } = begun(name);
         let pairs = usize::from(!["all_prescribed", "solids_alone"].contains(&name));
         assert_eq!(searched.len(), pairs, "{name}");
         let rigid = name.starts_with("rigid");
         assert!(searched.iter().all(|facets| facets.is_none() == rigid), "{name}: {searched:?}");
-        assert_eq!(history > 0, pairs > 0, "{name}");
+        assert_eq!(points > 0, pairs > 0, "{name}");
+        // A status for each point; a multiplier beside it only where multipliers make contact hard.
+        assert_eq!(history, if name == "multipliers" { 2 * points } else { points }, "{name}");
         assert_eq!((matrix, solver), (name != "all_prescribed", name != "all_prescribed"), "{name}");
         let held_by_contact = ["held_by_contact", "rigid_ring"].contains(&name);
         assert_eq!(free, usize::from(held_by_contact), "{name}");
