@@ -65,7 +65,8 @@ fn patch(elements: [ElementType; 2], lower: [usize; 3], upper: [usize; 3]) -> Pa
     Patch { structure: Structure { mesh, elements: types, materials, sections }, axis, sides }
 }
 
-/// Largest deviation of any stress component at any integration point, and of any contact pressure, over the pressure.
+/// Largest deviation of any stress component at any integration point, and of any contact pressure, over the pressure;
+/// with multipliers of any gap, too, over the size.
 fn deviation(patch: &Patch, enforcement: Enforcement) -> f64 {
     let Patch { structure, axis, sides: [low, high] } = patch;
     let mesh = &structure.mesh;
@@ -133,6 +134,10 @@ fn deviation(patch: &Patch, enforcement: Enforcement) -> f64 {
     let points = pair.state(&end.u, &end.history[end.history.len() - 1]).points;
     assert!(!points.is_empty());
     points.iter().for_each(|p| worst = worst.max((p.pressure - PRESSURE).abs() / PRESSURE));
+    if enforcement == Enforcement::Direct {
+        // Blocks of height 1: overclosures over the size.
+        points.iter().for_each(|p| worst = worst.max(p.opening.abs()));
+    }
     worst
 }
 

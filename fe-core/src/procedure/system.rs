@@ -207,3 +207,75 @@ fn values_between(pattern: &Pattern, nodes: &[bool]) -> Vec<Range<usize>> {
 pub fn dot(a: &[f64], b: &[f64]) -> f64 {
     a.iter().zip(b).map(|(x, y)| x * y).sum()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A chain of springs of stiffness 1 between neighbours.
+    struct Chain;
+
+    /// A spring on one node whose stiffness is its displacement.
+    struct Hardening(u32);
+
+    impl Term for Chain {
+        fn name(&self) -> &str {
+            "chain"
+        }
+
+        fn couplings(&self, couplings: &mut Couplings) {
+            couplings.add_all(&[0, 1, 1, 2], 2);
+        }
+
+        fn evaluate(&self, _: Motion, _: &[f64], _: &mut [f64], out: &mut Assembly) -> Result<(), Reject> {
+            for (node, stiffness) in [(0, 1.0), (1, 2.0), (2, 1.0)] {
+                out.stiffness.iter_mut().for_each(|k| k.add_block(node, node, &[stiffness]));
+            }
+            out.stiffness.iter_mut().for_each(|k| [1, 2].iter().for_each(|&n| k.add_block(n, n - 1, &[-1.0])));
+            Ok(())
+        }
+
+        fn is_linear(&self) -> bool {
+            true
+        }
+    }
+
+    impl Term for Hardening {
+        fn name(&self) -> &str {
+            "hardening"
+        }
+
+        fn couplings(&self, couplings: &mut Couplings) {
+            couplings.add(&[self.0]);
+        }
+
+        fn evaluate(&self, at: Motion, _: &[f64], _: &mut [f64], out: &mut Assembly) -> Result<(), Reject> {
+            let u = at.u[self.0 as usize];
+            out.stiffness.iter_mut().for_each(|k| k.add_block(self.0, self.0, &[u]));
+            Ok(())
+        }
+    }
+
+    /// In the memory of an earlier tangent stands the same as in fresh memory; tangents differ as their displacements do.
+    #[test]
+    fn a_tangent_takes_the_memory_of_an_earlier_one() {
+        let freedoms = Freedoms::new(&[1, 1, 1]);
+        let (chain, hardening) = (Chain, Hardening(1));
+        let external = ExternalForces::default();
+        let terms: Vec<&dyn Term> = vec![&chain, &hardening];
+        let system =
+            System::new(Scene { freedoms: &freedoms, terms, external, prescribed: Vec::new(), period: 1.0 }).unwrap();
+        assert_eq!(system.changing, [false, true, false]);
+        let tangent = |u: f64, spare| {
+            let u = [0.0, u, 0.0];
+            let at = Motion { u: &u, du: &u, step_time: 1.0, total_time: 1.0, dt: 1.0 };
+            let old = [Vec::new(), Vec::new()];
+            system.evaluate(at, &[0.0; 3], (&old, &mut old.clone()), spare).unwrap().tangent.unwrap()
+        };
+        let first = tangent(0.5, None);
+        let (again, fresh) = (tangent(0.25, Some(first.clone())), tangent(0.25, None));
+        assert_eq!(again.values, fresh.values);
+        assert_eq!(fresh.diagonal(), [1.0, 2.25, 1.0]);
+        assert!(system.same(&again, &fresh) && !system.same(&first, &fresh));
+    }
+}
