@@ -1,29 +1,29 @@
 //! How a definition becomes a pair: surfaces checked, points found, the law resolved.
 
+use crate::carry::{Carried, Ground, NoStiffness};
 use crate::closest::EXTENSION;
-use crate::enforce::{Multipliers, TOUCH};
+use crate::contact::Contact;
+use crate::enforce::TOUCH;
 use crate::error::PairError;
 use crate::facet::{Facet, Vec3};
-use crate::interaction::{Enforcement, Interaction, NormalBehavior, Penalty};
-use crate::law::NormalLaw;
-use crate::law::linear::Linear;
+use crate::interaction::{Enforcement, Interaction, NormalBehavior};
 use crate::node_to_surface::{self, Node};
 use crate::overlap::Sides;
-use crate::pair::{Discretization, Pair, PairDefinition};
+use crate::pair::{Discretization, PairDefinition};
 use crate::point::{ContactPoint, Measure};
 use crate::search::{Bounds, Grid};
 use crate::sides::{Prepared, characteristic_length, label};
 use crate::stiffness;
-use crate::summary::{Means, MeasureKind, PenaltySummary, Summary};
+use crate::summary::{MeasureKind, Summary};
 use crate::surface::{Main, Secondary};
 use crate::surface_to_surface::{self, Constraints, RigidSide};
 use fe_core::{Freedoms, Structure};
 use std::collections::BTreeMap;
-use std::sync::{Arc, Mutex};
+use std::sync::Mutex;
 
-impl Pair {
-    /// Finds the points of a definition.
-    pub fn new(
+impl Contact {
+    /// Finds the points of a pair's definition.
+    pub fn of_pair(
         structure: &Structure,
         freedoms: &Freedoms,
         definition: &PairDefinition,
@@ -54,22 +54,44 @@ impl Pair {
                 s.into_point(measure, freedoms, reference)
             })
             .collect();
-        let (law, penalty, beneath) = resolve(structure, &sides, definition, interaction)?;
-        let place = |&n: &u32| freedoms.of_node(n as usize);
-        let both = sides.secondary_nodes.iter().chain(&sides.main_nodes);
-        Ok(Pair {
+        let found = Found {
             name: format!("{} on {}", definition.secondary_name, definition.main_name),
             surfaces: (definition.secondary_name.clone(), definition.main_name.clone()),
+            points,
+            reference,
+            discretization,
+            searched,
+        };
+        let ground = ground(structure, &sides, definition);
+        Contact::of_points((structure, freedoms), (found, sides), interaction, ground).map_err(|NoStiffness| {
+            PairError::NoStiffness { secondary: definition.secondary_name.clone(), main: definition.main_name.clone() }
+        })
+    }
+
+    /// Points, however they were found, with what carries them.
+    pub(crate) fn of_points(
+        (structure, freedoms): (&Structure, &Freedoms),
+        (found, mut sides): (Found, Prepared),
+        interaction: &Interaction,
+        ground: Ground,
+    ) -> Result<Self, NoStiffness> {
+        let Carried { law, penalty, multipliers } = Carried::new(&interaction.normal, ground)?;
+        let Found { name, surfaces, points, reference, discretization, searched } = found;
+        let place = |&n: &u32| freedoms.of_node(n as usize);
+        let both = sides.secondary_nodes.iter().chain(&sides.main_nodes);
+        Ok(Contact {
+            name,
+            surfaces,
             places: points.iter().map(|p| p.nodes.iter().map(place).collect()).collect(),
             blocks: Mutex::default(),
-            multipliers: penalty.and_then(|penalty| multipliers(penalty, facet_length(&sides))),
+            multipliers,
             no_separation: interaction.no_separation,
             law,
             touch: TOUCH * model_size(structure),
             summary: Summary {
                 discretization,
                 penalty,
-                beneath,
+                beneath: ground.beneath,
                 searched,
                 points: points.len(),
                 measure: points.first().map_or(MeasureKind::Pressure, |p| MeasureKind::of(p.measure)),
@@ -83,27 +105,26 @@ impl Pair {
     }
 }
 
+/// Points and where they come from.
+pub(crate) struct Found {
+    /// What messages call the contact.
+    pub name: String,
+    /// Names of the secondary and the main side.
+    pub surfaces: (String, String),
+    /// By ascending secondary node.
+    pub points: Vec<ContactPoint>,
+    /// Reference node of a rigid main side.
+    pub reference: Option<u32>,
+    /// How the constraint is spread.
+    pub discretization: Discretization,
+    /// Facets that a search sorted.
+    pub searched: Option<usize>,
+}
+
 /// Diagonal [L] of the box around all points.
 fn model_size(structure: &Structure) -> f64 {
     let boxes = structure.mesh.points.iter().map(|&p| Bounds::around(&[p.into()], 0.0));
     boxes.reduce(|a, b| a.union(&b)).map_or(0.0, |all| all.diagonal())
-}
-
-/// The multipliers of an enforcement that has them.
-fn multipliers(penalty: PenaltySummary, length: f64) -> Option<Multipliers> {
-    let allowed = match penalty.means {
-        Means::Penalty => return None,
-        Means::AugmentedLagrange(allowed) => Some(allowed),
-        Means::Multipliers => None,
-    };
-    Some(Multipliers { slope: penalty.stiffness, length, allowed })
-}
-
-/// Overclosure [L] that augmentation leaves: a thousandth of the secondary facets' length, or of the main ones', larger
-/// where the penalty is softened by a factor below 1 (Abaqus Analysis User's Manual, Contact constraint enforcement
-/// methods).
-fn allowed(sides: &Prepared, scale: f64) -> f64 {
-    1e-3 * facet_length(sides) / scale.min(1.0)
 }
 
 /// Mean length [L] of the secondary facets, or of the main ones; 0 without any.
@@ -270,35 +291,12 @@ fn measures(
     move |node, overlap| areas.get(&node).copied().unwrap_or(Measure::Area(overlap))
 }
 
-type Resolved = (Arc<dyn NormalLaw>, Option<PenaltySummary>, Option<f64>);
-
-fn resolve(
-    structure: &Structure,
-    sides: &Prepared,
-    definition: &PairDefinition,
-    interaction: &Interaction,
-) -> Result<Resolved, PairError> {
+/// What the elements beneath and the facets say of a pair.
+fn ground(structure: &Structure, sides: &Prepared, definition: &PairDefinition) -> Ground {
     let each = [&sides.secondary, &sides.main].map(|facets| stiffness::beneath(structure, facets));
-    let beneath = each.into_iter().flatten().reduce(f64::min);
-    let enforcement = match &interaction.normal {
-        NormalBehavior::Softened(law) => return Ok((Arc::clone(law), None, beneath)),
-        NormalBehavior::Hard(enforcement) => *enforcement,
-    };
-    let finite = definition.discretization == Discretization::SurfaceToSurface && !definition.small_sliding;
-    let (means, Penalty { stiffness, clearance, scale }, factor) = match enforcement {
-        Enforcement::Usual if finite => (Means::Penalty, Penalty::default(), stiffness::PENALTY_FACTOR),
-        Enforcement::Usual | Enforcement::Direct => {
-            (Means::Multipliers, Penalty::default(), stiffness::AUGMENTED_FACTOR)
-        }
-        Enforcement::Penalty(penalty) => (Means::Penalty, penalty, stiffness::PENALTY_FACTOR),
-        Enforcement::AugmentedLagrange(penalty) => {
-            (Means::AugmentedLagrange(allowed(sides, penalty.scale)), penalty, stiffness::AUGMENTED_FACTOR)
-        }
-    };
-    let none =
-        || PairError::NoStiffness { secondary: definition.secondary_name.clone(), main: definition.main_name.clone() };
-    let base = stiffness.or(beneath.map(|k| factor * k)).ok_or_else(none)?;
-    let slope = scale * base;
-    let penalty = PenaltySummary { means, stiffness: slope, by_default: stiffness.is_none(), scale, clearance };
-    Ok((Arc::new(Linear { slope, clearance }), Some(penalty), beneath))
+    Ground {
+        beneath: each.into_iter().flatten().reduce(f64::min),
+        length: facet_length(sides),
+        slides_far: definition.discretization == Discretization::SurfaceToSurface && !definition.small_sliding,
+    }
 }

@@ -1,12 +1,13 @@
-//! How a pair's law is enforced: as it stands, or with multipliers.
+//! How a law is enforced: as it stands, or with multipliers.
 //!
 //! Multipliers λ are found by augmenting a penalty K (Hestenes 1969, Powell 1969): p = ⟨λ + K h⟩ with h = −g, λ ← p
 //! after each equilibrium, until the overclosure is small enough. λ is kept as the shift λ/K [L] of the gap, so that the
 //! law is asked at g − λ/K. The matrix stays positive definite and unchanged from pass to pass, and constraints that say
-//! the same twice share their force.
+//! the same twice share their force. A softened law stands in series with K ([`crate::law::series`]), which the multiplier
+//! takes out again: the law may be as steep as it likes. In both cases (p − λ)/K is what the gap is off by.
 
+use crate::contact::Contact;
 use crate::law::{NormalLaw, NormalResponse};
-use crate::pair::Pair;
 use crate::point::ContactStatus;
 use fe_core::term::{Equilibrium, Overlap};
 
@@ -25,10 +26,10 @@ const PATIENCE: usize = 10;
 /// Overclosure over the facets' length [-] that is left to such constraints.
 const NEARLY: f64 = 1e-6;
 
-/// Multipliers on top of a law.
+/// Multipliers on top of a penalty, or of a law in series with one.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Multipliers {
-    /// K [F/L³], the slope of the pair's law.
+    /// K [F/L³].
     pub slope: f64,
     /// Length [L] of the facets.
     pub length: f64,
@@ -47,7 +48,7 @@ impl Multipliers {
     }
 }
 
-impl Pair {
+impl Contact {
     /// The law's answer of a point at a gap [L], with the pair's history at hand; `held` says that it may pull.
     pub(crate) fn answer(
         &self,
@@ -58,13 +59,12 @@ impl Pair {
     ) -> (NormalResponse, ContactStatus) {
         let shift = self.shift(point, history);
         let (mut answer, mut status) = self.respond(gap - shift);
-        let kink = self.law.reach();
         if held && status == ContactStatus::Open {
             (answer, status) = (mirrored(&*self.law, gap - shift), ContactStatus::Closed);
         }
         if shift != 0.0 {
             // What the multiplier itself has stored is no energy of the contact.
-            answer.energy -= self.law.respond(kink - shift.abs()).energy;
+            answer.energy -= self.multipliers.map_or(0.0, |m| 0.5 * m.slope * shift * shift);
         }
         (answer, status)
     }
@@ -84,20 +84,16 @@ impl Pair {
     pub(crate) fn take_multipliers(&self, at: Equilibrium, old: &[f64], new: &mut [f64]) -> Option<Overlap> {
         let multipliers = self.multipliers?;
         let slope = multipliers.slope;
-        let answers: Vec<(f64, NormalResponse)> = (0..self.points.len())
-            .map(|i| {
-                let gap = self.opening(i, at.u);
-                (gap, self.answer(i, gap, new, self.is_held(i, old)).0)
-            })
+        let pressures: Vec<f64> = (0..self.points.len())
+            .map(|i| self.answer(i, self.opening(i, at.u), new, self.is_held(i, old)).0.pressure)
             .collect();
-        let largest = answers.iter().fold(0.0, |m: f64, a| m.max(a.1.pressure.abs()));
+        let largest = pressures.iter().fold(0.0, |m: f64, p| m.max(p.abs()));
         let round_off = 4.0 * f64::EPSILON / TOUCH * self.touch;
         let limit = multipliers.limit(largest, at.passes).max(round_off);
-        let kink = self.law.reach();
         let mut worst: Option<Overlap> = None;
-        for (i, (gap, answer)) in answers.iter().enumerate() {
+        for (i, pressure) in pressures.iter().enumerate() {
             // How far the gap of a point that presses, or is held, is from where it belongs.
-            let excess = if answer.pressure == 0.0 { 0.0 } else { kink - gap };
+            let excess = if *pressure == 0.0 { 0.0 } else { pressure / slope - self.shift(i, new) };
             let off = if multipliers.allowed.is_some() { excess } else { excess.abs() };
             let limit = limit.max(at.noise / (slope * self.points[i].measure.value()));
             if off > limit && worst.is_none_or(|w| off > w.overclosure.abs()) {
@@ -106,7 +102,7 @@ impl Pair {
         }
         if worst.is_some() {
             let points = self.points.len();
-            answers.iter().enumerate().for_each(|(i, (_, answer))| new[points + i] = answer.pressure / slope);
+            pressures.iter().enumerate().for_each(|(i, pressure)| new[points + i] = pressure / slope);
         }
         worst
     }

@@ -4,7 +4,7 @@
 //! directions that do not close them are open; the bodies go along the one nearest to f until the next point meets,
 //! and come to rest where the pressures of touching points balance f (Farkas: f + Rᵀλ = 0, λ ≥ 0).
 
-use crate::pair::Pair;
+use crate::contact::Contact;
 use nalgebra::{DMatrix, DVector};
 
 /// Directions, rates and forces below this, of their size, are round-off [-].
@@ -32,16 +32,16 @@ pub enum Rest {
 
 impl RigidContact {
     /// At the displacement `u`, of motions whose fields, all over all freedoms, are made one by one.
-    pub fn new(pairs: &[Pair], u: &[f64], motions: impl ExactSizeIterator<Item = Vec<f64>>) -> Self {
+    pub fn new(pairs: &[Contact], u: &[f64], motions: impl ExactSizeIterator<Item = Vec<f64>>) -> Self {
         Self::of(&every_point(pairs), u, motions)
     }
 
     /// At an equilibrium `u`, of the points alone that answer a motion by another force; `None` where no point presses
     /// on a plateau of its law, so that pressing points do answer.
-    pub fn answering(pairs: &[Pair], u: &[f64], motions: impl ExactSizeIterator<Item = Vec<f64>>) -> Option<Self> {
+    pub fn answering(pairs: &[Contact], u: &[f64], motions: impl ExactSizeIterator<Item = Vec<f64>>) -> Option<Self> {
         let mut points = every_point(pairs);
         points.iter().any(|(pair, i)| pair.on_plateau(*i, u)).then(|| {
-            let answers = |(pair, i): &(&Pair, usize)| {
+            let answers = |(pair, i): &(&Contact, usize)| {
                 pair.opening(*i, u) <= pair.law().reach() + pair.touch && !pair.on_plateau(*i, u)
             };
             points.retain(answers);
@@ -49,12 +49,12 @@ impl RigidContact {
         })
     }
 
-    fn of(points: &[(&Pair, usize)], u: &[f64], motions: impl ExactSizeIterator<Item = Vec<f64>>) -> Self {
+    fn of(points: &[(&Contact, usize)], u: &[f64], motions: impl ExactSizeIterator<Item = Vec<f64>>) -> Self {
         let gaps: Vec<f64> = points.iter().map(|(pair, i)| pair.opening(*i, u) - pair.law().reach()).collect();
         let touch: Vec<f64> = points.iter().map(|(pair, _)| pair.touch).collect();
         let mut rates = DMatrix::zeros(gaps.len(), motions.len());
         for (k, field) in motions.enumerate() {
-            points.iter().enumerate().for_each(|(row, (pair, i))| rates[(row, k)] = pair.rate(*i, &field));
+            points.iter().enumerate().for_each(|(row, (pair, i))| rates[(row, k)] = pair.rate(*i, u, &field));
         }
         RigidContact { gaps: gaps.into(), touch: touch.into(), rates }
     }
@@ -136,7 +136,7 @@ impl RigidContact {
     }
 }
 
-fn every_point(pairs: &[Pair]) -> Vec<(&Pair, usize)> {
+fn every_point(pairs: &[Contact]) -> Vec<(&Contact, usize)> {
     pairs.iter().flat_map(|pair| (0..pair.points.len()).map(move |i| (pair, i))).collect()
 }
 

@@ -5,7 +5,9 @@
 
 pub mod adjust;
 mod build;
+mod carry;
 pub mod closest;
+pub mod contact;
 mod enforce;
 pub mod error;
 pub mod facet;
@@ -31,5 +33,5 @@ mod term;
 mod tests;
 pub mod verify;
 
+pub use contact::Contact;
 pub use error::PairError;
-pub use pair::Pair;

@@ -1,16 +1,6 @@
-//! A contact pair: its definition, and the term that it becomes.
+//! A contact pair as a model holds it.
 
-use crate::enforce::Multipliers;
-use crate::facet::Vec3;
-use crate::law::NormalLaw;
-use crate::point::ContactPoint;
-use crate::sides::Prepared;
-use crate::summary::Summary;
 use crate::surface::{Main, Secondary};
-use crate::term::Blocks;
-use std::collections::BTreeMap;
-use std::ops::Range;
-use std::sync::{Arc, Mutex};
 
 /// How the constraint is spread over the secondary surface.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -49,79 +39,4 @@ pub struct PairDefinition {
     pub small_sliding: bool,
     /// Strain-free adjustment.
     pub adjust: Option<Adjust>,
-}
-
-/// A pair as a term: its points, linearised at the reference geometry (small displacements, infinitesimal
-/// sliding), and the law that they share.
-#[derive(Debug)]
-pub struct Pair {
-    pub(crate) name: String,
-    pub(crate) surfaces: (String, String),
-    /// The points, by ascending secondary node.
-    pub points: Vec<ContactPoint>,
-    /// Freedoms of each point's nodes.
-    pub(crate) places: Vec<Vec<Range<usize>>>,
-    /// Where the points stand in the matrices of a step.
-    pub(crate) blocks: Mutex<Option<Arc<Blocks>>>,
-    pub(crate) law: Arc<dyn NormalLaw>,
-    /// Multipliers on top of the law.
-    pub(crate) multipliers: Option<Multipliers>,
-    /// True where points that closed may pull.
-    pub(crate) no_separation: bool,
-    /// Gaps [L] this near to the law's kink touch.
-    pub(crate) touch: f64,
-    pub(crate) summary: Summary,
-    pub(crate) notes: Vec<String>,
-    pub(crate) sides: Prepared,
-    /// Places of the nodes of both sides.
-    pub(crate) positions: BTreeMap<u32, Vec3>,
-    /// Components of the reference node of a rigid main side.
-    pub(crate) reference: Option<(u32, Vec<usize>)>,
-}
-
-impl Pair {
-    /// `SECONDARY on MAIN`.
-    pub fn name(&self) -> &str {
-        &self.name
-    }
-
-    /// Names of the secondary and the main surface.
-    pub fn surfaces(&self) -> (&str, &str) {
-        (&self.surfaces.0, &self.surfaces.1)
-    }
-
-    /// What the pair turned out to be.
-    pub fn summary(&self) -> Summary {
-        self.summary
-    }
-
-    /// Remarks on the surfaces and on the discretization, a line each.
-    pub fn notes(&self) -> &[String] {
-        &self.notes
-    }
-
-    /// The law of all points.
-    pub fn law(&self) -> &dyn NormalLaw {
-        &*self.law
-    }
-
-    /// Nodes of the secondary side, ascending, with or without a constraint.
-    pub fn secondary_nodes(&self) -> &[u32] {
-        &self.sides.secondary_nodes
-    }
-
-    /// Nodes of the main side, ascending; the reference node of a rigid one.
-    pub fn main_nodes(&self) -> &[u32] {
-        &self.sides.main_nodes
-    }
-
-    /// True when the main side is an analytical rigid surface: nothing was searched.
-    pub fn has_rigid_main(&self) -> bool {
-        self.reference.is_some()
-    }
-
-    /// Largest number of freedoms that one point couples.
-    pub fn widest(&self) -> usize {
-        self.points.iter().map(|p| p.row.len()).max().unwrap_or(0)
-    }
 }

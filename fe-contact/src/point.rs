@@ -1,5 +1,9 @@
 //! One constraint point of contact: where it sits, how much surface it stands for, what it presses on.
 
+use crate::facet::Vec3;
+use std::borrow::Cow;
+use std::ops::Range;
+
 /// The unit rule: the law's number times the measure is the force.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Measure {
@@ -35,20 +39,107 @@ pub enum ContactStatus {
 
 /// One constraint. With infinitesimal sliding its gap is linear in the displacement:
 /// g = g₀ + Σ d·u over the nodes of both sides, and a force N = p A on it acts on the nodes as −N d
-/// (residual: internal minus external force).
+/// (residual: internal minus external force). A round point has a gap of its own, see [`Round`].
 #[derive(Clone, Debug, PartialEq)]
 pub struct ContactPoint {
     /// The secondary node that it stands for.
     pub node: u32,
     /// Gap g₀ [L] at zero displacement, positive when open.
     pub gap: f64,
-    /// Unit normal of the main side, pointing at the secondary.
+    /// Unit normal of the main side, pointing at the secondary; 0 for a round point.
     pub normal: [f64; 3],
     /// How much surface it stands for.
     pub measure: Measure,
     /// Nodes of both sides, ascending, each with its derivatives ∂g/∂u by freedom of the node: `row` holds,
     /// node after node, as many numbers as the node has freedoms.
     pub nodes: Vec<u32>,
-    /// The derivatives [-] (translations) and [L] (rotations).
+    /// The derivatives [-] (translations) and [L] (rotations); zeros for a round point.
     pub row: Vec<f64>,
+    /// Where the gap is not linear.
+    pub round: Option<Box<Round>>,
+}
+
+/// A gap between two circles or balls, one in the other or side by side, whose direction is that of the offset
+/// w = w₀ + Σ rows·u of the second centre from the first: g = d − |w| for d > 0 (d the largest distance of the centres),
+/// g = |w| − |d| for d < 0 (|d| the least one). Abaqus Analysis User's Manual, Gap contact elements.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Round {
+    /// w₀ [L].
+    pub start: [f64; 3],
+    /// Derivatives of the components of w by the freedoms of the point's nodes, as [`ContactPoint::row`].
+    pub rows: [Vec<f64>; 3],
+    /// d [L].
+    pub distance: f64,
+}
+
+/// A point at a displacement.
+#[derive(Clone, Debug)]
+pub struct Kinematics<'a> {
+    /// Gap g [L].
+    pub gap: f64,
+    /// Direction in which a pressure acts on the secondary; 0 where there is none (concentric circles).
+    pub normal: [f64; 3],
+    /// ∂g/∂u.
+    pub row: Cow<'a, [f64]>,
+    /// ∂²g/∂u² = Σ factor · row rowᵀ [1/L].
+    pub bending: Vec<(f64, Vec<f64>)>,
+}
+
+impl ContactPoint {
+    /// Where it stands; `u` over all freedoms, of which those of its nodes are at `places`.
+    pub fn at(&self, u: &[f64], places: &[Range<usize>]) -> Kinematics<'_> {
+        match &self.round {
+            None => {
+                let gap = self.gap + dot(&self.row, u, places);
+                Kinematics { gap, normal: self.normal, row: Cow::Borrowed(&self.row), bending: Vec::new() }
+            }
+            Some(round) => round.at(u, places),
+        }
+    }
+
+    /// Its gap [L] alone.
+    pub fn opening(&self, u: &[f64], places: &[Range<usize>]) -> f64 {
+        match &self.round {
+            None => self.gap + dot(&self.row, u, places),
+            Some(round) => round.gap(round.offset(u, places).norm()),
+        }
+    }
+}
+
+impl Round {
+    fn offset(&self, u: &[f64], places: &[Range<usize>]) -> Vec3 {
+        Vec3::from_fn(|c, _| self.start[c] + dot(&self.rows[c], u, places))
+    }
+
+    /// g at |w|.
+    fn gap(&self, distance: f64) -> f64 {
+        if self.distance > 0.0 { self.distance - distance } else { distance + self.distance }
+    }
+
+    fn at(&self, u: &[f64], places: &[Range<usize>]) -> Kinematics<'_> {
+        let offset = self.offset(u, places);
+        let distance = offset.norm();
+        let gap = self.gap(distance);
+        let sign = if self.distance > 0.0 { -1.0 } else { 1.0 };
+        let Some(m) = offset.try_normalize(0.0) else {
+            let row = Cow::Owned(vec![0.0; self.rows[0].len()]);
+            return Kinematics { gap, normal: [0.0; 3], row, bending: Vec::new() };
+        };
+        // ∂²|w|/∂w² = (I − m mᵀ)/|w| = Σ b bᵀ/|w| over two directions across m.
+        let first = m.cross(&Vec3::ith(m.iamin(), 1.0)).normalize();
+        let across = [first, m.cross(&first)];
+        let bending = across.map(|b| (sign / distance, self.along(&b))).into();
+        Kinematics { gap, normal: (m * sign).into(), row: Cow::Owned(self.along(&(m * sign))), bending }
+    }
+
+    /// Derivatives of w in a direction.
+    fn along(&self, direction: &Vec3) -> Vec<f64> {
+        let [x, y, z] = &self.rows;
+        x.iter().zip(y).zip(z).map(|((x, y), z)| direction.dot(&Vec3::new(*x, *y, *z))).collect()
+    }
+}
+
+/// Σ row·u.
+pub(crate) fn dot(row: &[f64], u: &[f64], places: &[Range<usize>]) -> f64 {
+    row.iter().zip(places.iter().cloned().flatten()).map(|(d, f)| d * u[f]).sum()
 }

@@ -66,7 +66,8 @@ impl Share {
             }));
         }
         let normal = self.normal.try_normalize(0.0).unwrap_or_else(Vec3::zeros);
-        ContactPoint { node: self.node, gap: self.gap * mean, normal: normal.into(), measure, nodes, row }
+        let gap = self.gap * mean;
+        ContactPoint { node: self.node, gap, normal: normal.into(), measure, nodes, row, round: None }
     }
 }
 

@@ -1,7 +1,7 @@
 //! What a pair does at a displacement: point by point, in sum, and as nodal forces.
 
+use crate::contact::Contact;
 use crate::facet::Vec3;
-use crate::pair::Pair;
 use crate::point::{ContactStatus, Measure};
 use std::collections::BTreeMap;
 
@@ -33,8 +33,8 @@ pub struct SideForce {
 
 /// The state of a pair.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct PairState {
-    /// The points, as in [`Pair::points`].
+pub struct ContactState {
+    /// The points, as in [`Contact::points`].
     pub points: Vec<PointState>,
     /// On the secondary side.
     pub secondary: SideForce,
@@ -63,14 +63,15 @@ pub struct NodeValues {
     pub measure: f64,
 }
 
-impl Pair {
+impl Contact {
     /// The state at a displacement, with the history that belongs to it.
-    pub fn state(&self, u: &[f64], history: &[f64]) -> PairState {
-        let mut state = PairState::default();
+    pub fn state(&self, u: &[f64], history: &[f64]) -> ContactState {
+        let mut state = ContactState::default();
         let mut forces: BTreeMap<u32, Vec3> = BTreeMap::new();
         let mut turning = Vec3::zeros();
         for (i, p) in self.points.iter().enumerate() {
-            let opening = self.opening(i, u);
+            let here = self.at(i, u);
+            let opening = here.gap;
             let (answer, status) = self.answer(i, opening, history, self.is_held(i, history));
             let force = answer.pressure * p.measure.value();
             state.points.push(PointState {
@@ -87,7 +88,7 @@ impl Pair {
             if let (ContactStatus::Closed | ContactStatus::Slipping, Measure::Area(a)) = (status, p.measure) {
                 state.closed_area += a;
             }
-            let mut row = p.row.iter();
+            let mut row = here.row.iter();
             for (&n, place) in p.nodes.iter().zip(&self.places[i]) {
                 let at = forces.entry(n).or_default();
                 let components = self.reference.as_ref().filter(|r| r.0 == n).map(|r| r.1.as_slice());
@@ -116,7 +117,7 @@ impl Pair {
     }
 
     /// Results at all nodes of the secondary surface, ascending; mid-side nodes take the mean of their corners.
-    pub fn node_values(&self, state: &PairState) -> Vec<NodeValues> {
+    pub fn node_values(&self, state: &ContactState) -> Vec<NodeValues> {
         let none = |node| NodeValues { node, opening: None, pressure: 0.0, status: ContactStatus::Open, measure: 0.0 };
         let mut values: BTreeMap<u32, NodeValues> = self.secondary_nodes().iter().map(|&n| (n, none(n))).collect();
         for p in &state.points {

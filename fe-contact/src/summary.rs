@@ -52,7 +52,7 @@ impl MeasureKind {
     }
 }
 
-/// What makes contact hard.
+/// What stands on a penalty.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Means {
     /// A penalty alone.
@@ -61,12 +61,14 @@ pub enum Means {
     AugmentedLagrange(f64),
     /// Multipliers, until the overclosure is that of rounding.
     Multipliers,
+    /// A softened law in series with the penalty, and multipliers that take it out again.
+    Mixed,
 }
 
-/// The enforcement of a hard pair, resolved.
+/// The penalty beneath a contact, resolved.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PenaltySummary {
-    /// What makes contact hard.
+    /// What it is there for.
     pub means: Means,
     /// Slope f K of pressure against overclosure (dimension by [`Summary::measure`]).
     pub stiffness: f64,
@@ -83,7 +85,7 @@ pub struct PenaltySummary {
 pub struct Summary {
     /// How the constraint is spread, after what the surfaces allow.
     pub discretization: Discretization,
-    /// The penalty; `None` for a softened law.
+    /// The penalty; `None` for a softened law as it stands.
     pub penalty: Option<PenaltySummary>,
     /// Stiffness k_e [F/L³] of the elements beneath; the least of both sides.
     pub beneath: Option<f64>,

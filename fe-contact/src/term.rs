@@ -1,9 +1,9 @@
-//! A pair as a term of the virtual work: δW = −Σ A p(g) δg over its points.
+//! Contact as a term of the virtual work: δW = −Σ A p(g) δg over its points.
 
+use crate::contact::Contact;
 use crate::enforce::{CLOSED, OPEN};
 use crate::law::NormalResponse;
-use crate::pair::Pair;
-use crate::point::{ContactPoint, ContactStatus};
+use crate::point::{ContactPoint, ContactStatus, Kinematics, dot};
 use fe_core::term::{Equilibrium, Overlap};
 use fe_core::{Assembly, BlockMatrix, Couplings, Motion, Pattern, Reject, Term};
 use std::sync::Arc;
@@ -33,17 +33,20 @@ impl Blocks {
     }
 }
 
-impl Pair {
+impl Contact {
     /// Gap [L] of a point at a displacement.
     pub fn opening(&self, point: usize, u: &[f64]) -> f64 {
-        let p = &self.points[point];
-        p.gap + self.rate(point, u)
+        self.points[point].opening(u, &self.places[point])
     }
 
-    /// Σ d·u [L]: how the gap of a point changes with a displacement.
-    pub fn rate(&self, point: usize, u: &[f64]) -> f64 {
-        let freedoms = self.places[point].iter().cloned().flatten();
-        self.points[point].row.iter().zip(freedoms).map(|(d, f)| d * u[f]).sum()
+    /// Where a point stands at a displacement.
+    pub(crate) fn at(&self, point: usize, u: &[f64]) -> Kinematics<'_> {
+        self.points[point].at(u, &self.places[point])
+    }
+
+    /// How the gap [L] of a point changes with a small motion `field` from a displacement.
+    pub fn rate(&self, point: usize, u: &[f64], field: &[f64]) -> f64 {
+        dot(&self.at(point, u).row, field, &self.places[point])
     }
 
     /// The law's answer. At the kink, within round-off of the model's size, the point touches: it is closed and
@@ -73,15 +76,14 @@ impl Pair {
         }
     }
 
-    /// Adds factor · d dᵀ, the lower blocks; nodes are ascending.
-    fn add_stiffness(&self, point: usize, factor: f64, blocks: &Blocks, out: &mut BlockMatrix) {
-        let row = &self.points[point].row;
+    /// Adds factor · d dᵀ of a row d over a point's nodes, the lower blocks; nodes are ascending.
+    fn add_stiffness(&self, point: usize, (factor, row): (f64, &[f64]), blocks: &Blocks, out: &mut BlockMatrix) {
         let mut starts = blocks.starts[point].iter();
         let mut first = 0;
         for (a, place) in self.places[point].iter().enumerate() {
             let rows = &row[first..first + place.len()];
             first += place.len();
-            let mut columns = row.as_slice();
+            let mut columns = row;
             for (other, &start) in self.places[point][..=a].iter().zip(starts.by_ref()) {
                 let (of_node, rest) = columns.split_at(other.len());
                 columns = rest;
@@ -93,9 +95,9 @@ impl Pair {
     }
 }
 
-impl Term for Pair {
+impl Term for Contact {
     fn name(&self) -> &str {
-        Pair::name(self)
+        Contact::name(self)
     }
 
     fn couplings(&self, couplings: &mut Couplings) {
@@ -113,12 +115,12 @@ impl Term for Pair {
     fn evaluate(&self, at: Motion, old: &[f64], new: &mut [f64], out: &mut Assembly) -> Result<(), Reject> {
         let blocks = out.stiffness.as_deref().map(|k| self.blocks(&k.pattern));
         for (i, p) in self.points.iter().enumerate() {
-            let gap = self.opening(i, at.u);
-            if !gap.is_finite() {
+            let here = self.at(i, at.u);
+            if !here.gap.is_finite() {
                 let place = format!("the gaps of {}", self.name());
                 return Err(Reject::NotFinite { place, node: Some(p.node as usize) });
             }
-            let (answer, status) = self.answer(i, gap, new, self.is_held(i, old));
+            let (answer, status) = self.answer(i, here.gap, new, self.is_held(i, old));
             let measure = p.measure.value();
             out.energy += answer.energy * measure;
             let now = if status == ContactStatus::Open { OPEN } else { CLOSED };
@@ -127,12 +129,15 @@ impl Term for Pair {
             let force = answer.pressure * measure;
             if force != 0.0 {
                 let freedoms = self.places[i].iter().cloned().flatten();
-                p.row.iter().zip(freedoms).for_each(|(d, f)| out.residual[f] -= force * d);
+                here.row.iter().zip(freedoms).for_each(|(d, f)| out.residual[f] -= force * d);
             }
-            if answer.stiffness != 0.0
-                && let (Some(blocks), Some(stiffness)) = (&blocks, out.stiffness.as_deref_mut())
-            {
-                self.add_stiffness(i, answer.stiffness * measure, blocks, stiffness);
+            if let (Some(blocks), Some(stiffness)) = (&blocks, out.stiffness.as_deref_mut()) {
+                // A force along a direction that turns has a stiffness of its own: −N ∂²g/∂u².
+                let turning = here.bending.iter().map(|(factor, row)| (-force * factor, row.as_slice()));
+                let all = std::iter::once((answer.stiffness * measure, &*here.row)).chain(turning);
+                for part in all.filter(|part| part.0 != 0.0) {
+                    self.add_stiffness(i, part, blocks, stiffness);
+                }
             }
         }
         Ok(())
@@ -142,10 +147,11 @@ impl Term for Pair {
         let blocks = self.blocks(&stiffness.pattern);
         let mut done = false;
         for (i, p) in self.points.iter().enumerate() {
-            let (answer, status) = self.respond(self.opening(i, u));
+            let here = self.at(i, u);
+            let (answer, status) = self.respond(here.gap);
             if status != ContactStatus::Open && answer.stiffness <= 0.0 {
                 let lacking = self.law.typical_stiffness() - answer.stiffness;
-                self.add_stiffness(i, lacking * p.measure.value(), &blocks, stiffness);
+                self.add_stiffness(i, (lacking * p.measure.value(), &here.row), &blocks, stiffness);
                 done = true;
             }
         }

@@ -4,7 +4,7 @@
 
 mod common;
 
-use fe_contact::Pair;
+use fe_contact::Contact;
 use fe_contact::interaction::{Enforcement, Interaction, NormalBehavior, Penalty};
 use fe_contact::pair::{Discretization, PairDefinition};
 use fe_contact::surface::{Main, Secondary};
@@ -89,7 +89,7 @@ fn deviation(patch: &Patch, enforcement: Enforcement) -> f64 {
         no_separation: false,
         measure: None,
     };
-    let pair = Pair::new(structure, &freedoms, &definition, &interaction).unwrap();
+    let pair = Contact::of_pair(structure, &freedoms, &definition, &interaction).unwrap();
     let mut prescribed = Vec::new();
     let mut hold = |node: u32, component: usize| {
         prescribed.extend(freedoms.index(node as usize, component).map(|f| (f, Ramp::constant(0.0))));

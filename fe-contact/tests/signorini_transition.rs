@@ -8,7 +8,7 @@
 
 mod common;
 
-use fe_contact::Pair;
+use fe_contact::Contact;
 use fe_contact::interaction::{Enforcement, Interaction, NormalBehavior, Penalty};
 use fe_contact::pair::{Discretization, PairDefinition};
 use fe_contact::rigid::{Piece, RigidSurface, Sweep};
@@ -83,7 +83,7 @@ fn solve(element: ElementType, n: usize, discretization: Discretization, direct:
         no_separation: false,
         measure: None,
     };
-    let pair = Pair::new(&structure, &freedoms, &definition, &interaction).unwrap();
+    let pair = Contact::of_pair(&structure, &freedoms, &definition, &interaction).unwrap();
     let mut prescribed: Vec<_> = freedoms.of_node(reference as usize).map(|f| (f, Ramp::constant(0.0))).collect();
     for set in ["XMIN", "XMAX", "YMAX"] {
         for &node in &structure.mesh.node_sets[set] {

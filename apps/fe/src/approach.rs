@@ -1,8 +1,8 @@
 //! Bodies that contact alone holds: recognised, told about, and brought into first contact without strain.
 
 use crate::terms::Terms;
+use fe_contact::contact::Contact;
 use fe_contact::first_contact::{Rest, RigidContact};
-use fe_contact::pair::Pair;
 use fe_core::Freedoms;
 use fe_core::bodies::{Body, RigidMotion};
 use fe_core::procedure::system::dot;
@@ -25,7 +25,7 @@ pub fn free_bodies(
     freedoms: &Freedoms,
     bodies: &[Body],
     fixed: &[bool],
-    pairs: &[Pair],
+    pairs: &[Contact],
 ) -> Vec<FreeBody> {
     let mut free = Vec::new();
     for (index, body) in bodies.iter().enumerate() {
@@ -95,7 +95,7 @@ impl<'a> Motions<'a> {
 /// Moves free bodies together along their free motions, the way their loads drive them, until contact holds them.
 pub fn approach(terms: &Terms, free: &[FreeBody], u: &[f64], external: &[f64]) -> Approach {
     let motions = Motions::new(terms, free);
-    let contact = RigidContact::new(&terms.pairs, u, motions.fields());
+    let contact = RigidContact::new(&terms.contacts, u, motions.fields());
     if let Some(amounts) = contact.unheld().first() {
         let (b, motion, _) = motions.most(amounts);
         return Approach::Unheld(b, motion);
@@ -121,7 +121,7 @@ pub fn undecided(terms: &Terms, free: &[FreeBody], u: &[f64]) -> Option<(usize, 
         return None;
     }
     let motions = Motions::new(terms, free);
-    let contact = RigidContact::answering(&terms.pairs, u, motions.fields())?;
+    let contact = RigidContact::answering(&terms.contacts, u, motions.fields())?;
     let (b, motion, _) = motions.most(contact.unheld().first()?);
     Some((b, motion))
 }

@@ -1,7 +1,7 @@
 //! The certificate: what stands beside every converged increment, and beside the whole run.
 
 use crate::number::scientific;
-use fe_contact::state::PairState;
+use fe_contact::state::ContactState;
 use fe_core::Freedoms;
 use fe_core::procedure::{Converged, Convergence, Energy, Seconds};
 use fe_core::structure::Structure;
@@ -60,7 +60,7 @@ impl Certificate {
         freedoms: &Freedoms,
         at: &Converged,
         convergence: &Convergence,
-        pairs: &[PairState],
+        pairs: &[ContactState],
         fixed: &[bool],
     ) -> Self {
         let (mut applied, mut reaction, mut size) = ([0.0; 3], [0.0; 3], [0.0f64; 3]);
@@ -115,7 +115,7 @@ impl Certificate {
 }
 
 /// The largest of what each pair has.
-fn worst(pairs: &[PairState], of: impl Fn(&PairState) -> Option<(u32, f64)>) -> f64 {
+fn worst(pairs: &[ContactState], of: impl Fn(&ContactState) -> Option<(u32, f64)>) -> f64 {
     pairs.iter().filter_map(of).fold(0.0, |largest, (_, value)| largest.max(value))
 }
 

@@ -41,7 +41,7 @@ pub fn check(deck: &Path, library: &Library) -> Result<String, JobFailure> {
             solver.analyse(&pattern, &free, &scene.changing());
             Matrix::of(&pattern, solver.cost())
         });
-        let bodies = free_bodies(&terms.structure, &terms.freedoms, &terms.bodies, &fixed, &terms.pairs);
+        let bodies = free_bodies(&terms.structure, &terms.freedoms, &terms.bodies, &fixed, &terms.contacts);
         let plan = Plan::of(&terms, step, scene.prescribed.len(), matrix, &bodies);
         let _ = writeln!(text, "\nstep {}, time {}\n{plan}", index + 1, step.increments.period);
     }

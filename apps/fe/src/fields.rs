@@ -2,7 +2,7 @@
 
 use crate::terms::Terms;
 use fe_contact::point::ContactStatus;
-use fe_contact::state::{NodeValues, PairState};
+use fe_contact::state::{ContactState, NodeValues};
 use fe_core::procedure::Converged;
 use fe_core::solid::PointFields;
 use fe_io::results::{FieldInfo, Location};
@@ -45,7 +45,7 @@ pub struct Source<'a> {
     /// Prescribed freedoms.
     pub fixed: &'a [bool],
     /// States of the pairs.
-    pub states: &'a [PairState],
+    pub states: &'a [ContactState],
     /// Stresses, where a field needs them.
     pub recovered: Option<&'a Recovered>,
 }
@@ -125,7 +125,7 @@ impl Source<'_> {
     /// A number of the secondary nodes; where pairs share a node, `merge` of theirs.
     fn contact(&self, value: impl Fn(&NodeValues) -> f64, merge: fn(f64, f64) -> f64) -> Vec<f64> {
         let mut out = vec![f64::NAN; self.terms.structure.mesh.points.len()];
-        for (pair, state) in self.terms.pairs.iter().zip(self.states) {
+        for (pair, state) in self.terms.contacts.iter().zip(self.states) {
             for node in pair.node_values(state) {
                 let place = &mut out[node.node as usize];
                 // f64::max and f64::min take the number where the other is NaN.

@@ -150,7 +150,7 @@ impl StepRun<'_, '_> {
         let fixed: Vec<bool> = scene.free().iter().map(|f| !f).collect();
         let prescribed = scene.prescribed.len();
         let free =
-            free_bodies(&self.terms.structure, &self.terms.freedoms, &self.terms.bodies, &fixed, &self.terms.pairs);
+            free_bodies(&self.terms.structure, &self.terms.freedoms, &self.terms.bodies, &fixed, &self.terms.contacts);
         at.step_time = 0.0;
         self.bring_into_contact(&free, &scene, at)?;
         let solver = Box::new(Multifrontal::default());

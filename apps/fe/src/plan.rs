@@ -2,7 +2,8 @@
 
 use crate::approach::{FreeBody, in_words};
 use crate::terms::Terms;
-use fe_contact::pair::{Discretization, Pair};
+use fe_contact::contact::Contact;
+use fe_contact::pair::Discretization;
 use fe_contact::summary::Means;
 use fe_core::linear::Cost;
 use fe_core::matrix::Pattern;
@@ -84,10 +85,10 @@ impl Plan {
         }
         needs.push(("unknowns".into(), format!("{unknowns}, and {prescribed} prescribed freedoms")));
         needs.extend(matrix.iter().flat_map(|matrix| matrix.in_words(terms)));
-        for pair in terms.pairs.iter().filter(|pair| !pair.points.is_empty()) {
+        for pair in terms.contacts.iter().filter(|pair| !pair.points.is_empty()) {
             needs.push(("contact pair".into(), pair_in_words(pair)));
         }
-        let searched: Vec<usize> = terms.pairs.iter().filter_map(|pair| pair.summary().searched).collect();
+        let searched: Vec<usize> = terms.contacts.iter().filter_map(|pair| pair.summary().searched).collect();
         if !searched.is_empty() {
             needs.push((
                 "search".into(),
@@ -96,7 +97,7 @@ impl Plan {
         }
         let history: usize = terms.all().iter().map(|term| term.history()).sum();
         if history > 0 {
-            let points: usize = terms.pairs.iter().map(|pair| pair.points.len()).sum();
+            let points: usize = terms.contacts.iter().map(|pair| pair.points.len()).sum();
             let multipliers = if history > points { ", a multiplier where there are any" } else { "" };
             needs.push(("history".into(), format!("{history} numbers: a status for each point{multipliers}")));
         }
@@ -123,7 +124,7 @@ fn size(bytes: usize) -> String {
 }
 
 /// A pair, its constraint and its stiffness with units.
-fn pair_in_words(pair: &Pair) -> String {
+fn pair_in_words(pair: &Contact) -> String {
     let s = pair.summary();
     let how = match s.discretization {
         Discretization::NodeToSurface => "node to surface",
@@ -143,6 +144,10 @@ fn pair_in_words(pair: &Pair) -> String {
                     )
                 }
                 Means::Multipliers => format!("hard by multipliers, found by augmenting a penalty of {penalty}"),
+                Means::Mixed => {
+                    let law = pair.law().words(s.measure);
+                    format!("softened, {law}, with multipliers, found by augmenting a penalty of {penalty}")
+                }
             }
         }
         None => format!("softened, {}", pair.law().words(s.measure)),
@@ -156,7 +161,7 @@ fn leaves_out(terms: &Terms, unknowns: usize) -> Vec<String> {
     if unknowns == 0 {
         out.push("matrix and solver: every freedom is prescribed".into());
     }
-    let (met, idle): (Vec<&Pair>, Vec<&Pair>) = terms.pairs.iter().partition(|pair| !pair.points.is_empty());
+    let (met, idle): (Vec<&Contact>, Vec<&Contact>) = terms.contacts.iter().partition(|pair| !pair.points.is_empty());
     out.extend(idle.iter().map(|pair| format!("contact of {}: no part of them faces the other", pair.name())));
     if met.is_empty() {
         out.push("contact: no pair".into());
@@ -164,13 +169,13 @@ fn leaves_out(terms: &Terms, unknowns: usize) -> Vec<String> {
         if met.iter().all(|p| p.summary().searched.is_none()) {
             out.push("contact search: every main surface is rigid".into());
         }
-        let bare = |p: &Pair| p.summary().penalty.is_none_or(|penalty| penalty.means == Means::Penalty);
-        if terms.pairs.iter().all(bare) {
+        let bare = |p: &Contact| p.summary().penalty.is_none_or(|penalty| penalty.means == Means::Penalty);
+        if terms.contacts.iter().all(bare) {
             out.push("multipliers: a penalty or a law carries the contact".into());
         }
         out.push("friction and an unsymmetric matrix: no interaction has friction".into());
     }
-    if terms.pairs.iter().all(|p| p.history() == 0) {
+    if terms.contacts.iter().all(|p| p.history() == 0) {
         out.push("history: no term has a state".into());
     }
     if unknowns > 0 {

@@ -1,9 +1,9 @@
 //! The printed tables of a step: values for the `.dat` file.
 
 use crate::fields::Source;
-use fe_contact::pair::Pair;
+use fe_contact::contact::Contact;
 use fe_contact::point::ContactStatus;
-use fe_contact::state::{PairState, PointState};
+use fe_contact::state::{ContactState, PointState};
 use fe_io::model::{ForcePart, Quantity, Table};
 use fe_io::results::ResultsError;
 use fe_io::results::table::{ContactRow, ElementRow, PairForce, Tables};
@@ -51,7 +51,7 @@ impl Printed {
             Quantity::ContactStress => self.tables.contact_stresses(time, &closed(source, |p| p.pressure)),
             Quantity::ContactDisplacement => self.tables.contact_displacements(time, &closed(source, |p| p.opening)),
             Quantity::ContactForce { pair, part } => {
-                for (k, (found, state)) in source.terms.pairs.iter().zip(source.states).enumerate() {
+                for (k, (found, state)) in source.terms.contacts.iter().zip(source.states).enumerate() {
                     if pair.is_none_or(|wanted| wanted == k) {
                         let force = pair_force(found, state, *part, source);
                         let (secondary, main) = found.surfaces();
@@ -98,7 +98,7 @@ fn closed(source: &Source, value: impl Fn(&PointState) -> f64) -> Vec<ContactRow
 }
 
 /// The resultant of a pair on its secondary side. Without friction the normal part is all of it.
-fn pair_force(pair: &Pair, state: &PairState, part: ForcePart, source: &Source) -> PairForce {
+fn pair_force(pair: &Contact, state: &ContactState, part: ForcePart, source: &Source) -> PairForce {
     if part == ForcePart::Shear {
         return PairForce::default();
     }

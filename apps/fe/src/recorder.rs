@@ -4,7 +4,7 @@ use crate::certificate::{COLUMNS, Certificate, RunCertificate};
 use crate::fields::{Recovered, Source, needs_recovery};
 use crate::printed::{self, Printed};
 use crate::terms::Terms;
-use fe_contact::state::PairState;
+use fe_contact::state::ContactState;
 use fe_core::increment::Attempt;
 use fe_core::procedure::Converged;
 use fe_io::Model;
@@ -26,7 +26,7 @@ pub struct Increment<'a> {
     /// Certificate.
     pub certificate: &'a Certificate,
     /// States of the pairs.
-    pub states: &'a [PairState],
+    pub states: &'a [ContactState],
     /// Prescribed freedoms.
     pub fixed: &'a [bool],
 }
@@ -184,13 +184,13 @@ pub fn chosen_fields(model: &Model, terms: &Terms) -> Vec<FieldInfo> {
         })
     };
     let contact = |field: &FieldInfo| field.name.starts_with('C');
-    FIELDS.iter().filter(|f| wanted(f) && (!contact(f) || !terms.pairs.is_empty())).copied().collect()
+    FIELDS.iter().filter(|f| wanted(f) && (!contact(f) || !terms.contacts.is_empty())).copied().collect()
 }
 
 /// Names of the pairs' histories: `/` and `.` cannot stand in them, and each is there once.
 fn history_names(terms: &Terms) -> Vec<String> {
     let mut names: Vec<String> = Vec::new();
-    for pair in &terms.pairs {
+    for pair in &terms.contacts {
         let plain = pair.name().replace(['/', '.'], "_");
         let numbered = (2..).map(|n| format!("{plain} {n}"));
         let name = std::iter::once(plain.clone()).chain(numbered).find(|name| !names.contains(name));
@@ -228,7 +228,7 @@ fn histories(terms: &Terms) -> Vec<HistoryInfo> {
     list
 }
 
-fn pair_row(state: &PairState) -> Vec<f64> {
+fn pair_row(state: &ContactState) -> Vec<f64> {
     let mut row = state.secondary.force.to_vec();
     row.extend(state.secondary.moment);
     row.extend([state.closed_area, state.largest_overclosure.map_or(0.0, |l| l.1)]);

@@ -1,9 +1,9 @@
 //! From a model to the terms that are assembled.
 
-use fe_contact::Pair;
+use fe_contact::Contact;
 use fe_contact::adjust::{Moved, adjust};
 use fe_contact::pair::PairDefinition;
-use fe_contact::state::PairState;
+use fe_contact::state::ContactState;
 use fe_core::Freedoms;
 use fe_core::bodies::{Body, bodies};
 use fe_core::procedure::Converged;
@@ -23,7 +23,7 @@ pub struct Terms {
     /// One block for each section.
     pub solids: Vec<SolidBlock>,
     /// Contact pairs, in the deck's order.
-    pub pairs: Vec<Pair>,
+    pub contacts: Vec<Contact>,
     /// Connected bodies.
     pub bodies: Vec<Body>,
     /// Remarks, a line each.
@@ -47,13 +47,13 @@ impl Terms {
             moves.iter().for_each(|m| points[m.node as usize] = m.to);
         }
         let freedoms = structure.freedoms(&model.references);
-        let mut pairs = Vec::new();
+        let mut contacts = Vec::new();
         for (k, (definition, _)) in model.pairs.iter().enumerate() {
             let interaction = &model.interactions[definition.interaction];
-            let pair =
-                Pair::new(&structure, &freedoms, definition, interaction).map_err(|e| format!("{}: {e}", place(k)))?;
+            let pair = Contact::of_pair(&structure, &freedoms, definition, interaction)
+                .map_err(|e| format!("{}: {e}", place(k)))?;
             notes.extend(pair.notes().iter().map(|note| placed(note, &place(k))));
-            pairs.push(pair);
+            contacts.push(pair);
         }
         let search_seconds = start.elapsed().as_secs_f64();
         let mut solids = Vec::new();
@@ -61,19 +61,19 @@ impl Terms {
             solids.push(SolidBlock::new(&structure, section, &freedoms).map_err(|e| e.to_string())?);
         }
         let bodies = bodies(&structure, &model.references);
-        Ok(Terms { structure, freedoms, solids, pairs, bodies, notes, search_seconds })
+        Ok(Terms { structure, freedoms, solids, contacts, bodies, notes, search_seconds })
     }
 
     /// All terms.
     pub fn all(&self) -> Vec<&dyn Term> {
         let solids = self.solids.iter().map(|block| block as &dyn Term);
-        solids.chain(self.pairs.iter().map(|pair| pair as &dyn Term)).collect()
+        solids.chain(self.contacts.iter().map(|pair| pair as &dyn Term)).collect()
     }
 
     /// The states of all pairs.
-    pub fn states(&self, at: &Converged) -> Vec<PairState> {
+    pub fn states(&self, at: &Converged) -> Vec<ContactState> {
         let histories = &at.history[self.solids.len()..];
-        self.pairs.iter().zip(histories).map(|(pair, history)| pair.state(&at.u, history)).collect()
+        self.contacts.iter().zip(histories).map(|(pair, history)| pair.state(&at.u, history)).collect()
     }
 
     /// What the user may know a body by: the largest element set inside it, or one of its nodes.

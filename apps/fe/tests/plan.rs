@@ -88,12 +88,12 @@ fn begun(name: &str) -> Begun {
     let rest = Converged { u: vec![0.0; n], residual: vec![0.0; n], external: vec![0.0; n], ..Converged::default() };
     let scene = enter(&model, &terms, 0, &mut Course::new(&model), &rest).unwrap();
     let fixed: Vec<bool> = scene.free().iter().map(|f| !f).collect();
-    let free = free_bodies(&terms.structure, &terms.freedoms, &terms.bodies, &fixed, &terms.pairs).len();
+    let free = free_bodies(&terms.structure, &terms.freedoms, &terms.bodies, &fixed, &terms.contacts).len();
     let procedure = StaticGeneral::new(scene, model.steps[0].controls, Box::<Multifrontal>::default()).unwrap();
-    assert_eq!(terms.pairs.capacity() == 0, terms.pairs.is_empty(), "{name}: no storage without pairs");
+    assert_eq!(terms.contacts.capacity() == 0, terms.contacts.is_empty(), "{name}: no storage without pairs");
     Begun {
-        searched: terms.pairs.iter().map(|pair| pair.summary().searched).collect(),
-        points: terms.pairs.iter().map(|pair| pair.points.len()).sum(),
+        searched: terms.contacts.iter().map(|pair| pair.summary().searched).collect(),
+        points: terms.contacts.iter().map(|pair| pair.points.len()).sum(),
         history: terms.all().iter().map(|term| term.history()).sum(),
         matrix: procedure.pattern().is_some(),
         solver: procedure.cost().is_some(),

@@ -4,7 +4,7 @@ use fe::certificate::Certificate;
 use fe::observer::{Event, Observer};
 use fe::terms::Terms;
 use fe::{Report, standard};
-use fe_contact::state::PairState;
+use fe_contact::state::ContactState;
 use fe_io::{Deck, resolve};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::{Path, PathBuf};
@@ -153,7 +153,7 @@ pub struct Solved {
     /// Terms, with the mesh.
     pub terms: Terms,
     /// State of each pair.
-    pub pairs: Vec<PairState>,
+    pub pairs: Vec<ContactState>,
     /// Displacements [L] by freedom.
     pub u: Vec<f64>,
     /// Internal minus applied forces [F] by freedom: reactions where it is prescribed.
@@ -168,7 +168,7 @@ impl Solved {
 
     /// Penalty stiffness [F/L³] of a pair that has one.
     pub fn stiffness(&self, pair: usize) -> f64 {
-        self.terms.pairs[pair].summary().penalty.map_or(f64::INFINITY, |penalty| penalty.stiffness)
+        self.terms.contacts[pair].summary().penalty.map_or(f64::INFINITY, |penalty| penalty.stiffness)
     }
 
     /// Displacement of a node by its label [L], three components; none of an unknown node.

@@ -102,6 +102,10 @@ impl NormalLaw for Exponential {
         self.pressure / self.clearance
     }
 
+    fn steepest(&self) -> f64 {
+        self.unit_slope() * slope(self.end)
+    }
+
     fn words(&self, number: MeasureKind) -> String {
         let (c, p, from) = (self.clearance, self.pressure, self.straight_from());
         let limit =

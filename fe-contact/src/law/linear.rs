@@ -26,6 +26,10 @@ impl NormalLaw for Linear {
         self.clearance
     }
 
+    fn steepest(&self) -> f64 {
+        self.slope
+    }
+
     fn words(&self, number: MeasureKind) -> String {
         format!("LINEAR, slope {} [{}]", self.slope, number.stiffness_dimension())
     }

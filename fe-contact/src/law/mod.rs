@@ -3,6 +3,7 @@
 pub mod exponential;
 pub mod linear;
 pub mod scale_factor;
+pub mod series;
 pub mod tabular;
 
 use crate::summary::MeasureKind;
@@ -42,6 +43,11 @@ pub trait NormalLaw: Debug + Send + Sync {
     /// none, at first touch or on a plateau.
     fn typical_stiffness(&self) -> f64 {
         self.respond(self.reach()).stiffness
+    }
+
+    /// The largest stiffness [F/L³] that it has anywhere.
+    fn steepest(&self) -> f64 {
+        f64::INFINITY
     }
 
     /// Itself with its numbers and their units, in a line.

@@ -94,6 +94,10 @@ impl NormalLaw for Tabular {
         self.points.iter().map(|p| p.slope).find(|slope| *slope > 0.0).unwrap_or(0.0)
     }
 
+    fn steepest(&self) -> f64 {
+        self.points.iter().fold(0.0, |most, p| p.slope.max(most))
+    }
+
     fn words(&self, number: MeasureKind) -> String {
         let points: Vec<String> = self.points.iter().map(|p| format!("{} at {}", p.pressure, p.overclosure)).collect();
         let last = self.points[self.points.len() - 1].slope;

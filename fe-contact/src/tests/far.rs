@@ -1,8 +1,9 @@
 //! Pairs far from the origin of coordinates.
 
 use super::scene::*;
+use crate::contact::Contact;
 use crate::facet::Vec3;
-use crate::pair::{Discretization, Pair};
+use crate::pair::Discretization;
 use crate::rigid::{Piece, RigidSurface, Sweep};
 use crate::surface::Main;
 use fe_core::element::ElementType::*;
@@ -24,7 +25,7 @@ fn stacked(by: f64) -> Scene {
 }
 
 /// Largest difference of gaps, measures and rows, each of size 1 but for the gaps of 1e-3.
-fn difference(a: &Pair, b: &Pair) -> f64 {
+fn difference(a: &Contact, b: &Contact) -> f64 {
     assert_eq!(a.points.len(), b.points.len());
     let mut largest = 0.0f64;
     for (p, q) in a.points.iter().zip(&b.points) {
@@ -55,7 +56,7 @@ fn a_shift_changes_no_gap() {
             let mut definition = surfaces(scene.faces(0, |r| r[2] == 0.0), Vec::new(), discretization);
             definition.main = Main::Rigid { surface, reference };
             let freedoms = scene.structure.freedoms(&[reference]);
-            Pair::new(&scene.structure, &freedoms, &definition, &linear()).unwrap()
+            Contact::of_pair(&scene.structure, &freedoms, &definition, &linear()).unwrap()
         };
         // Distances are those of a radius of 64.
         assert!(difference(&rigid(0.0), &rigid(SHIFT)) < 64e-14);

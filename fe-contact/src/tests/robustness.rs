@@ -2,11 +2,12 @@
 
 use super::scene::*;
 use crate::adjust::adjust;
+use crate::contact::Contact;
 use crate::error::PairError;
 use crate::facet::Vec3;
 use crate::first_contact::{Rest, RigidContact};
 use crate::interaction::{Enforcement, Interaction, NormalBehavior, Penalty};
-use crate::pair::{Adjust, Discretization, Pair, PairDefinition};
+use crate::pair::{Adjust, Discretization, PairDefinition};
 use crate::surface::{Main, Secondary};
 use fe_core::Term;
 use fe_core::element::ElementType::*;
@@ -33,7 +34,7 @@ fn edges_and_vertices_give_one_contact() {
             let mut states = Vec::new();
             for _ in 0..2 {
                 let freedoms = scene.structure.freedoms(&[27]);
-                let pair = Pair::new(&scene.structure, &freedoms, &definition, &linear()).unwrap();
+                let pair = Contact::of_pair(&scene.structure, &freedoms, &definition, &linear()).unwrap();
                 assert_eq!(pair.points.len(), 1, "{place:?}");
                 let state = pair.state(&vec![0.0; freedoms.len()], &vec![0.0; pair.history()]);
                 let force = Vec3::from(state.secondary.force);
@@ -54,7 +55,7 @@ fn edges_and_vertices_give_one_contact() {
         for noise in [0.0, 1e-16, -1e-16, 1e-12, -1e-12] {
             let (scene, definition) = cube_and_node([place[0] + noise, place[1] - noise, 1.03]);
             let freedoms = scene.structure.freedoms(&[27]);
-            let pair = Pair::new(&scene.structure, &freedoms, &definition, &linear()).unwrap();
+            let pair = Contact::of_pair(&scene.structure, &freedoms, &definition, &linear()).unwrap();
             assert_eq!(pair.points.len(), 1);
             assert!((pair.points[0].gap - 0.03).abs() < 1e-11 && (pair.points[0].normal[2] - 1.0).abs() < 1e-11);
         }
@@ -152,7 +153,7 @@ fn overlaps_are_believed_up_to_half_a_facet() {
             p[1] -= if i as u32 == deep { 0.8 } else { 0.4 };
         }
         let definition = surfaces(faces.0, faces.1, discretization);
-        let fault = Pair::new(&scene.structure, &scene.freedoms(), &definition, &linear()).unwrap_err();
+        let fault = Contact::of_pair(&scene.structure, &scene.freedoms(), &definition, &linear()).unwrap_err();
         let PairError::TooDeep { node, depth, limit, .. } = fault else { panic!("{fault}") };
         assert!(
             node == scene.structure.mesh.point_labels[deep as usize] && depth > 0.5 && (limit - 1.0 / 6.0).abs() < 0.02,
@@ -164,8 +165,9 @@ fn overlaps_are_believed_up_to_half_a_facet() {
 #[test]
 fn what_cannot_be_paired_is_named() {
     let scene = stacked(0.0, 0.0);
-    let build =
-        |scene: &Scene, d: &PairDefinition, i: &Interaction| Pair::new(&scene.structure, &scene.freedoms(), d, i);
+    let build = |scene: &Scene, d: &PairDefinition, i: &Interaction| {
+        Contact::of_pair(&scene.structure, &scene.freedoms(), d, i)
+    };
     let (top, side) = (scene.faces(1, |r| r[1] == 1.0), scene.faces(1, |r| r[0] == 0.0));
     let shared = build(&scene, &surfaces(top.clone(), side, SurfaceToSurface), &linear()).unwrap_err();
     assert!(matches!(shared, PairError::SharedNode { .. }));

@@ -1,9 +1,10 @@
 //! Blocks of elements to put in contact.
 
+use crate::contact::Contact;
 use crate::facet::{Facet, Vec3};
 use crate::interaction::{Interaction, NormalBehavior};
 use crate::law::linear::Linear;
-use crate::pair::{Discretization, Pair, PairDefinition};
+use crate::pair::{Discretization, PairDefinition};
 use crate::surface::{Main, Secondary};
 use fe_core::element::{ElementType, Space};
 use fe_core::material::{Elastic, Material};
@@ -108,8 +109,8 @@ impl Scene {
         self.structure.freedoms(&[])
     }
 
-    pub fn pair(&self, definition: &PairDefinition, interaction: &Interaction) -> Pair {
-        Pair::new(&self.structure, &self.freedoms(), definition, interaction).unwrap()
+    pub fn pair(&self, definition: &PairDefinition, interaction: &Interaction) -> Contact {
+        Contact::of_pair(&self.structure, &self.freedoms(), definition, interaction).unwrap()
     }
 }
 

@@ -1,8 +1,9 @@
 //! Surface to surface passes a constant pressure exactly: the contact part of the patch test, without a solver.
 
 use super::scene::*;
+use crate::contact::Contact;
 use crate::facet::Vec3;
-use crate::pair::{Discretization, Pair, PairDefinition};
+use crate::pair::{Discretization, PairDefinition};
 use fe_core::Term;
 use fe_core::element::ElementType::{self, *};
 use fe_mesh::Face;
@@ -33,7 +34,7 @@ fn interface(
 }
 
 impl Interface {
-    fn pair(&self, definition: &PairDefinition) -> Pair {
+    fn pair(&self, definition: &PairDefinition) -> Contact {
         self.scene.pair(definition, &linear())
     }
 

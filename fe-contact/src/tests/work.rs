@@ -2,8 +2,9 @@
 //! move a gap; the threads change no bit.
 
 use super::scene::*;
+use crate::contact::Contact;
 use crate::facet::Vec3;
-use crate::pair::{Discretization, Pair};
+use crate::pair::Discretization;
 use crate::point::ContactStatus;
 use crate::rigid::{Piece, RigidSurface, Sweep};
 use crate::surface::Main;
@@ -20,7 +21,7 @@ fn curved() -> Scene {
     scene
 }
 
-fn deformable() -> (Scene, Freedoms, Pair) {
+fn deformable() -> (Scene, Freedoms, Contact) {
     let scene = curved();
     let pair =
         surfaces(scene.faces(0, |r| r[1] == 0.0), scene.faces(1, |r| r[1] == 1.0), Discretization::SurfaceToSurface);
@@ -29,7 +30,7 @@ fn deformable() -> (Scene, Freedoms, Pair) {
 }
 
 /// Against a rigid sphere whose reference node is off its centre.
-fn on_sphere(discretization: Discretization) -> (Scene, Freedoms, Pair) {
+fn on_sphere(discretization: Discretization) -> (Scene, Freedoms, Contact) {
     let mut scene = Scene::default();
     let element = if discretization == Discretization::SurfaceToSurface { C3D10 } else { C3D8 };
     scene.block(element, [3, 1, 3], |r| Vec3::new(r.x - 0.5, r.y - 0.02, r.z - 0.5));
@@ -43,7 +44,7 @@ fn on_sphere(discretization: Discretization) -> (Scene, Freedoms, Pair) {
     let mut pair = surfaces(scene.faces(0, |r| r[1] == 0.0), Vec::new(), discretization);
     pair.main = Main::Rigid { surface, reference };
     let freedoms = scene.structure.freedoms(&[reference]);
-    let pair = Pair::new(&scene.structure, &freedoms, &pair, &linear()).unwrap();
+    let pair = Contact::of_pair(&scene.structure, &freedoms, &pair, &linear()).unwrap();
     (scene, freedoms, pair)
 }
 
@@ -54,7 +55,7 @@ struct Answer {
     changes: usize,
 }
 
-fn evaluate(pair: &Pair, freedoms: &Freedoms, u: &[f64], history: &mut [f64]) -> Answer {
+fn evaluate(pair: &Contact, freedoms: &Freedoms, u: &[f64], history: &mut [f64]) -> Answer {
     let mut couplings = Couplings::new(freedoms.nodes());
     pair.couplings(&mut couplings);
     let mut stiffness = BlockMatrix::zero(Arc::new(Pattern::new(freedoms, &couplings)));
@@ -68,7 +69,7 @@ fn evaluate(pair: &Pair, freedoms: &Freedoms, u: &[f64], history: &mut [f64]) ->
 
 /// Central differences of a quadratic (no gap passes its kink within the step) are exact: what remains is round-off
 /// of energies up to 1 over the step, 1e-15/1e-5, against forces above 1e-2.
-fn check_slopes((_, freedoms, pair): (Scene, Freedoms, Pair)) {
+fn check_slopes((_, freedoms, pair): (Scene, Freedoms, Contact)) {
     let mut next = numbers(7);
     let u: Vec<f64> = (0..freedoms.len()).map(|_| 0.1 * next()).collect();
     let step = 1e-5;
@@ -99,7 +100,7 @@ fn a_rigid_motion_of_all_changes_no_gap() {
             })
             .collect();
         for i in 0..pair.points.len() {
-            assert!(pair.rate(i, &u).abs() < 1e-13);
+            assert!(pair.rate(i, &u, &u).abs() < 1e-13);
         }
         let state = pair.state(&vec![0.0; freedoms.len()], &vec![0.0; pair.history()]);
         let balance = |a: [f64; 3], b: [f64; 3]| (Vec3::from(a) + Vec3::from(b)).norm();

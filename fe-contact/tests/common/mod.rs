@@ -1,6 +1,6 @@
 //! What the tests with solids share: one static increment from rest.
 
-use fe_contact::Pair;
+use fe_contact::Contact;
 use fe_core::Freedoms;
 use fe_core::external::ExternalForces;
 use fe_core::increment::Attempt;
@@ -17,7 +17,7 @@ use fe_core::term::Term;
 pub fn solve(
     freedoms: &Freedoms,
     solids: &[SolidBlock],
-    pair: &Pair,
+    pair: &Contact,
     external: ExternalForces,
     mut prescribed: Vec<(usize, Ramp)>,
 ) -> (Converged, Convergence) {

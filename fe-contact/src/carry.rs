@@ -1,0 +1,89 @@
+//! What carries a contact: an interaction's words, and the stiffness beneath, made into a law and its multipliers.
+
+use crate::enforce::Multipliers;
+use crate::interaction::{Enforcement, NormalBehavior, Penalty};
+use crate::law::NormalLaw;
+use crate::law::linear::Linear;
+use crate::law::series::InSeries;
+use crate::stiffness::{AUGMENTED_FACTOR, PENALTY_FACTOR};
+use crate::summary::{Means, PenaltySummary};
+use std::sync::Arc;
+
+/// The stiffness of the elements beneath is needed and not known.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct NoStiffness;
+
+/// What an interaction is enforced on.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Ground {
+    /// Stiffness k_e [F/L³] of the elements beneath.
+    pub beneath: Option<f64>,
+    /// Length [L] of the facets, or what stands for it.
+    pub length: f64,
+    /// Surfaces that meet surface to surface and may slide far: hard contact is usually a penalty there.
+    pub slides_far: bool,
+}
+
+/// A law and what stands on top of it.
+#[derive(Clone, Debug)]
+pub(crate) struct Carried {
+    /// The law that is asked.
+    pub law: Arc<dyn NormalLaw>,
+    /// For the plan.
+    pub penalty: Option<PenaltySummary>,
+    /// Multipliers on top of the law.
+    pub multipliers: Option<Multipliers>,
+}
+
+impl Carried {
+    /// Softened laws that are nowhere steeper than a thousand times the elements beneath stand as they are (Abaqus Analysis
+    /// User's Manual, Contact constraint enforcement methods).
+    pub fn new(normal: &NormalBehavior, ground: Ground) -> Result<Self, NoStiffness> {
+        match normal {
+            NormalBehavior::Softened(law) => Ok(Self::softened(law, ground)),
+            NormalBehavior::Hard(enforcement) => Self::hard(*enforcement, ground),
+        }
+    }
+
+    fn softened(law: &Arc<dyn NormalLaw>, ground: Ground) -> Self {
+        let plain = Carried { law: law.clone(), penalty: None, multipliers: None };
+        let Some(spring) = ground.beneath.map(|k| AUGMENTED_FACTOR * k) else { return plain };
+        if law.steepest() <= spring {
+            return plain;
+        }
+        let penalty =
+            PenaltySummary { means: Means::Mixed, stiffness: spring, by_default: true, scale: 1.0, clearance: 0.0 };
+        Carried { law: Arc::new(InSeries { law: law.clone(), spring }), ..Self::with(penalty, ground) }
+    }
+
+    fn hard(enforcement: Enforcement, ground: Ground) -> Result<Self, NoStiffness> {
+        let (means, Penalty { stiffness, clearance, scale }, factor) = match enforcement {
+            Enforcement::Usual if ground.slides_far => (Means::Penalty, Penalty::default(), PENALTY_FACTOR),
+            Enforcement::Usual | Enforcement::Direct => (Means::Multipliers, Penalty::default(), AUGMENTED_FACTOR),
+            Enforcement::Penalty(penalty) => (Means::Penalty, penalty, PENALTY_FACTOR),
+            Enforcement::AugmentedLagrange(penalty) => {
+                (Means::AugmentedLagrange(allowed(ground.length, penalty.scale)), penalty, AUGMENTED_FACTOR)
+            }
+        };
+        let base = stiffness.or(ground.beneath.map(|k| factor * k)).ok_or(NoStiffness)?;
+        let by_default = stiffness.is_none();
+        Ok(Self::with(PenaltySummary { means, stiffness: scale * base, by_default, scale, clearance }, ground))
+    }
+
+    fn with(penalty: PenaltySummary, ground: Ground) -> Self {
+        let (slope, length) = (penalty.stiffness, ground.length);
+        let multipliers = match penalty.means {
+            Means::Penalty => None,
+            Means::AugmentedLagrange(allowed) => Some(Multipliers { slope, length, allowed: Some(allowed) }),
+            Means::Multipliers | Means::Mixed => Some(Multipliers { slope, length, allowed: None }),
+        };
+        let law = Arc::new(Linear { slope, clearance: penalty.clearance });
+        Carried { law, penalty: Some(penalty), multipliers }
+    }
+}
+
+/// Overclosure [L] that augmentation leaves: a thousandth of the facets' length, larger where the penalty is softened by a
+/// factor below 1 (Abaqus Analysis User's Manual, Contact constraint enforcement methods).
+fn allowed(length: f64, scale: f64) -> f64 {
+    1e-3 * length / scale.min(1.0)
+}
