@@ -81,9 +81,9 @@ impl Facet {
     pub fn new(structure: &Structure, face: Face, thickness: Option<f64>, origin: &Vec3) -> Self {
         let (kind, list) = structure.mesh.face(face);
         let depth = match structure.elements[face.cell.block as usize].space() {
-            Space::Solid => Depth::Solid,
+            Space::Solid | Space::Any => Depth::Solid,
             Space::Axisymmetric => Depth::Axisymmetric,
-            Space::PlaneStrain | Space::PlaneStress => {
+            Space::PlaneStrain | Space::PlaneStress | Space::Plane => {
                 Depth::Plane(thickness.or_else(|| structure.section_of(face.cell).map(|s| s.thickness)).unwrap_or(1.0))
             }
         };

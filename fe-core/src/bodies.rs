@@ -89,7 +89,7 @@ impl Body {
 
 /// The rigid motions of the space, rotations scaled so that the rim of a body of `size` moves by one.
 fn rigid_modes(structure: &Structure, size: f64) -> Vec<RigidMotion> {
-    let (_, rigid) = structure.freedom_masks();
+    let rigid = structure.rigid_mask();
     let unit = |c: usize| {
         let mut motion = [0.0; COMPONENTS];
         motion[c] = if c < 3 { 1.0 } else { 1.0 / size };

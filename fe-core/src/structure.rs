@@ -35,7 +35,7 @@ pub struct Structure {
 impl Structure {
     /// True when the scene is plane or axisymmetric. All element types live in the same dimension.
     pub fn is_plane(&self) -> bool {
-        self.elements.iter().any(|e| e.space() != Space::Solid)
+        self.elements.iter().any(|e| e.space().dimension() == 2)
     }
 
     /// True when the scene is axisymmetric.
@@ -43,14 +43,29 @@ impl Structure {
         self.elements.iter().any(|e| e.space() == Space::Axisymmetric)
     }
 
-    /// The freedoms, a bit each, of a node of elements and of the reference node of a rigid body. A rigid body around
-    /// an axis moves along it: radial motion and turning would strain it.
-    pub fn freedom_masks(&self) -> (u8, u8) {
+    /// Translations a node of elements has: 3 or 2.
+    pub fn dimension(&self) -> usize {
+        if self.is_plane() { 2 } else { 3 }
+    }
+
+    /// The freedoms, a bit each, of the reference node of a rigid body: the rigid motions of the space. A rigid body
+    /// around an axis moves along it: radial motion and turning would strain it.
+    pub fn rigid_mask(&self) -> u8 {
         match (self.is_axisymmetric(), self.is_plane()) {
-            (true, _) => (0b11, 0b10),
-            (_, true) => (0b11, 0b100011),
-            _ => (0b111, 0b111111),
+            (true, _) => 0b10,
+            (_, true) => 0b100011,
+            _ => 0b111111,
         }
+    }
+
+    /// The freedoms, a bit each, that elements give to each node, `[points]`.
+    pub fn masks(&self) -> Vec<u8> {
+        let dimension = self.dimension();
+        let mut masks = vec![0u8; self.mesh.points.len()];
+        for (block, element) in self.mesh.blocks.iter().zip(&self.elements) {
+            block.nodes.iter().for_each(|&n| masks[n as usize] |= element.freedoms(dimension));
+        }
+        masks
     }
 
     /// Section of a cell.
@@ -58,17 +73,11 @@ impl Structure {
         self.sections.iter().find(|s| s.cells.binary_search(&cell).is_ok())
     }
 
-    /// The freedoms of all nodes: translations where an element is, and on each of `references` (nodes that
-    /// carry a rigid body) the rigid motions of the space.
+    /// The freedoms of all nodes: those of the elements at each, and on each of `references` (nodes that carry a rigid
+    /// body) the rigid motions of the space.
     pub fn freedoms(&self, references: &[u32]) -> Freedoms {
-        let (node, rigid) = self.freedom_masks();
-        let mut masks = vec![0u8; self.mesh.points.len()];
-        for section in &self.sections {
-            for &cell in &section.cells {
-                self.mesh.cell(cell).iter().for_each(|&n| masks[n as usize] |= node);
-            }
-        }
-        references.iter().for_each(|&n| masks[n as usize] |= rigid);
+        let mut masks = self.masks();
+        references.iter().for_each(|&n| masks[n as usize] |= self.rigid_mask());
         Freedoms::new(&masks)
     }
 }
@@ -76,12 +85,35 @@ impl Structure {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use fe_mesh::CellBlock;
 
     #[test]
     fn a_rigid_body_has_the_motions_of_its_space() {
-        let masks = |element| Structure { elements: vec![element], ..Structure::default() }.freedom_masks();
-        assert_eq!(masks(ElementType::C3D10), (0b111, 0b111111));
-        assert_eq!(masks(ElementType::CPS4), (0b11, 0b100011));
-        assert_eq!(masks(ElementType::CAX4), (0b11, 0b10));
+        let mask = |element| Structure { elements: vec![element], ..Structure::default() }.rigid_mask();
+        assert_eq!(mask(ElementType::C3D10), 0b111111);
+        assert_eq!(mask(ElementType::CPS4), 0b100011);
+        assert_eq!(mask(ElementType::CAX4), 0b10);
+    }
+
+    /// One element of each type, side by side on nodes of their own.
+    fn masks(elements: &[ElementType]) -> Vec<u8> {
+        let mut structure = Structure { elements: elements.to_vec(), ..Structure::default() };
+        let points = &mut structure.mesh.points;
+        for element in elements {
+            let first = points.len() as u32;
+            points.extend(vec![[0.0; 3]; element.kind().nodes()]);
+            let nodes = (first..points.len() as u32).collect();
+            structure.mesh.blocks.push(CellBlock { nodes, ..CellBlock::new(element.kind()) });
+        }
+        structure.masks()
+    }
+
+    #[test]
+    fn nodes_have_the_freedoms_of_their_elements() {
+        use ElementType::*;
+        assert_eq!(masks(&[SPRING1, T3D2, B33]), [0, 0b111, 0b111, 0b111111, 0b111111]);
+        assert_eq!(masks(&[MASS, T2D2, B23]), [0b11, 0b11, 0b11, 0b100011, 0b100011]);
+        assert_eq!(masks(&[GAPUNI, ITT21]), [0b11; 3]);
+        assert_eq!(masks(&[GAPUNI, SPRINGA]), [0b111; 4]);
     }
 }

@@ -8,9 +8,9 @@ use fe_core::element::Space;
 /// `mu` is the shear modulus [F/L²]. (In plane stress the field has ε_zz = 0 as well, since tr ε vanishes.)
 pub fn field(space: Space, mu: f64, at: [f64; 3]) -> Exact {
     let (displacement, curvature) = match space {
-        Space::Solid => solid(at),
+        Space::Solid | Space::Any => solid(at),
         Space::Axisymmetric => axisymmetric(at),
-        Space::PlaneStrain | Space::PlaneStress => plane(at),
+        Space::PlaneStrain | Space::PlaneStress | Space::Plane => plane(at),
     };
     Exact { displacement, stress: curvature.map(|c| 2.0 * mu * c) }
 }

@@ -4,8 +4,8 @@ use super::deck::{self, Order};
 use super::finding::from_value;
 use super::run::Solved;
 use fe_core::element::{ElementType, Space};
-use fe_mesh::Mesh;
 use fe_mesh::generate::Block;
+use fe_mesh::{CellKind, Mesh};
 
 /// Young's modulus [F/L²].
 pub const YOUNG: f64 = 1000.0;
@@ -69,17 +69,16 @@ impl Patch {
     /// Both blocks, sets and surfaces with the prefixes `LOW_` and `UP_`.
     pub fn mesh(&self) -> Mesh {
         let block = |n: usize, height: f64| {
-            use ElementType::*;
             let (size, origin) = match self.in_space() {
                 true => ([2.0, 2.0, 1.0], [0.0, 0.0, height]),
                 false => ([2.0, 1.0, 0.0], [0.0, height, 0.0]),
             };
-            let block = match self.element {
-                C3D4 => Block::tet4([n, n, 2]),
-                C3D10 => Block::tet10([n, n, 2]),
-                C3D8 => Block::hex8([n, n, 2]),
-                CPE3 | CPS3 | CAX3 => Block::tri3([n, 2]),
-                CPE4 | CPS4 | CAX4 => Block::quad4([n, 2]),
+            let block = match self.element.kind() {
+                CellKind::Tet4 => Block::tet4([n, n, 2]),
+                CellKind::Tet10 => Block::tet10([n, n, 2]),
+                CellKind::Hex8 => Block::hex8([n, n, 2]),
+                CellKind::Tri3 => Block::tri3([n, 2]),
+                _ => Block::quad4([n, 2]),
             };
             block.size(size).origin(origin).mesh()
         };

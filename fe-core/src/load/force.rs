@@ -166,7 +166,7 @@ impl Forces<'_> {
 /// What a length in the plane is multiplied with: thickness or circumference [L]; 1 in space.
 fn across(space: Space, thickness: f64, radius: f64) -> f64 {
     match space {
-        Space::Solid => 1.0,
+        Space::Solid | Space::Plane | Space::Any => 1.0,
         Space::PlaneStrain | Space::PlaneStress => thickness,
         Space::Axisymmetric => std::f64::consts::TAU * radius,
     }

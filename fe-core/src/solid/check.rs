@@ -152,7 +152,7 @@ impl Checker {
         places.push((Place::Centroid, gradients(&shape::centroid(kind))));
         let points = rule.points.iter().map(|(xi, weight)| (*weight, values(xi))).collect();
         let factor = match element.space() {
-            Space::Solid => 1.0,
+            Space::Solid | Space::Plane | Space::Any => 1.0,
             Space::PlaneStrain | Space::PlaneStress => section.thickness,
             Space::Axisymmetric => std::f64::consts::TAU,
         };

@@ -18,7 +18,7 @@ mod tests;
 pub use check::{BadElement, Defect, FoldedCorner, Place, check};
 pub use recovery::PointFields;
 
-use crate::element::{ElementType, Space};
+use crate::element::{ElementType, Family, Space};
 use crate::freedoms::Freedoms;
 use crate::material::Elastic;
 use crate::matrix::{Pattern, Scatter};
@@ -53,9 +53,10 @@ impl SolidBlock {
     ///
     /// # Panics
     /// When `freedoms` lacks the translations of a cell's node ([`Structure::freedoms`] has them all), or a cell
-    /// is not of the section's element type.
+    /// is not of the section's element type, or that is no solid.
     pub fn new(structure: &Structure, section: &Section, freedoms: &Freedoms) -> Result<Self, BadElement> {
         let (mesh, element) = (&structure.mesh, section.element);
+        assert_eq!(element.family(), Family::Solid, "a block of solids holds solids");
         let directions = element.space().dimension();
         let volumes = check::volumes(mesh, section)?;
         let mut nodes = Vec::with_capacity(section.cells.len() * element.kind().nodes());
@@ -164,6 +165,7 @@ macro_rules! with_kernel {
             CPS4 => with_kernel!(@ 4, 1, 3, 2, 2, 4, 4; element, elastic, thickness, $kernel => $body),
             CAX3 => with_kernel!(@ 3, 3, 3, 2, 3, 3, 0; element, elastic, thickness, $kernel => $body),
             CAX4 => with_kernel!(@ 4, 4, 6, 2, 3, 4, 5; element, elastic, thickness, $kernel => $body),
+            other => unreachable!("{} is no solid", other.name()),
         }
     }};
     (@ $n:literal, $r:literal, $m:literal, $d:literal, $g:literal, $p:literal, $a:literal;

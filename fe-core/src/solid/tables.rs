@@ -23,7 +23,7 @@ pub(super) fn rule(element: ElementType) -> Rule {
     match element {
         C3D10 | CAX3 => Rule::of(element.kind(), 2),
         C3D8 | CPE4 | CPS4 | CAX4 => Rule::of(element.kind(), 3),
-        C3D4 | CPE3 | CPS3 => Rule::of(element.kind(), 1),
+        _ => Rule::of(element.kind(), 1),
     }
 }
 

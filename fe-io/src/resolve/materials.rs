@@ -7,7 +7,7 @@ use crate::deck::source::Span;
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::keyword::check::Entry;
 use crate::keyword::row::Row;
-use fe_core::element::{ElementType, Space};
+use fe_core::element::{ElementType, Family, Space};
 use fe_core::material::{Elastic, Material};
 use fe_core::structure::Section;
 use fe_mesh::CellId;
@@ -120,6 +120,11 @@ pub fn sections(entries: &[Entry<'_>], materials: &Materials, scene: &mut Scene<
             let fault = Diagnostic::error(elset.span, format!("element {label} has two sections"));
             diagnostics.push(fault.related(entries[other as usize].card.span, "the other one"));
         }
+        if let Some(other) = cells.iter().map(|&cell| scene.element_of(cell)).find(|e| e.family() != Family::Solid) {
+            let title = format!("`*SOLID SECTION` is for solids, {} elements are none", other.name());
+            diagnostics.push(Diagnostic::error(elset.span, title));
+            continue;
+        }
         let thickness = thickness(entry, &cells, scene, diagnostics);
         if let (Some(Some(material)), Some(thickness)) = (known, thickness) {
             add(*material, thickness, &cells, scene);
@@ -164,13 +169,27 @@ fn missing(block: usize, taken: &[Option<u32>], scene: &Scene<'_>, diagnostics: 
     let bare: Vec<usize> = (0..taken.len()).filter(|&i| taken[i].is_none()).collect();
     let Some(&first) = bare.first() else { return };
     let cell = CellId { block: block as u32, cell: first as u32 };
-    let (label, element) = (scene.structure.mesh.cell_label(cell), scene.element_of(cell).name());
+    let (label, element) = (scene.structure.mesh.cell_label(cell), scene.element_of(cell));
+    let (name, (card, parameters)) = (element.name(), card_of(element));
     let title = match bare.len() {
-        1 => format!("element {label} ({element}) has no `*SOLID SECTION`"),
-        n => format!("{n} elements ({element}) have no `*SOLID SECTION`, the first is {label}"),
+        1 => format!("element {label} ({name}) has no `*{card}`"),
+        n => format!("{n} elements ({name}) have no `*{card}`, the first is {label}"),
     };
     if let Some(at) = scene.place_of(cell) {
         let fault = Diagnostic::error(at, title);
-        diagnostics.push(fault.help("write `*SOLID SECTION, ELSET=…, MATERIAL=…` for a set that holds them"));
+        diagnostics.push(fault.help(format!("write `*{card}, {parameters}` for a set that holds them")));
+    }
+}
+
+/// The card that gives elements of a type what they need beside their nodes, and its parameters.
+fn card_of(element: ElementType) -> (&'static str, &'static str) {
+    match element.family() {
+        Family::Solid | Family::Truss => ("SOLID SECTION", "ELSET=…, MATERIAL=…"),
+        Family::Beam => ("BEAM SECTION", "ELSET=…, MATERIAL=…, SECTION=…"),
+        Family::Spring => ("SPRING", "ELSET=…"),
+        Family::Dashpot => ("DASHPOT", "ELSET=…"),
+        Family::Mass => ("MASS", "ELSET=…"),
+        Family::Gap => ("GAP", "ELSET=…"),
+        Family::Tube => ("INTERFACE", "ELSET=…"),
     }
 }

@@ -2,7 +2,7 @@
 
 use super::scene::Scene;
 use crate::diagnostic::{Diagnostic, Diagnostics};
-use fe_core::element::{ElementType, Space};
+use fe_core::element::{ElementType, Family, Space};
 use fe_core::solid;
 use fe_mesh::CellId;
 
@@ -13,11 +13,13 @@ const NEARLY_INCOMPRESSIBLE: f64 = 0.49;
 pub fn spaces(scene: &mut Scene<'_>, diagnostics: &mut Diagnostics) {
     let kind = |space: Space| match space {
         Space::Solid => "three-dimensional",
-        Space::PlaneStrain | Space::PlaneStress => "plane",
+        Space::PlaneStrain | Space::PlaneStress | Space::Plane => "plane",
         Space::Axisymmetric => "axisymmetric",
+        Space::Any => "of any space",
     };
-    let mut used =
-        scene.structure.elements.iter().enumerate().filter(|(i, _)| !scene.structure.mesh.blocks[*i].is_empty());
+    let blocks = &scene.structure.mesh.blocks;
+    let placed = |(i, element): &(usize, &ElementType)| !blocks[*i].is_empty() && element.space() != Space::Any;
+    let mut used = scene.structure.elements.iter().enumerate().filter(placed);
     if let Some((first, element)) = used.next() {
         let other = used.find(|(_, other)| kind(other.space()) != kind(element.space()));
         if let Some((block, other)) = other {
@@ -47,26 +49,23 @@ pub fn spaces(scene: &mut Scene<'_>, diagnostics: &mut Diagnostics) {
 
 /// Freedoms of all nodes; a reference node belongs to no element.
 pub fn freedoms(scene: &mut Scene<'_>, diagnostics: &mut Diagnostics) {
-    let (node, rigid) = scene.structure.freedom_masks();
-    let mut masks = vec![0u8; scene.structure.mesh.points.len()];
-    for block in &scene.structure.mesh.blocks {
-        block.nodes.iter().for_each(|&n| masks[n as usize] = node);
-    }
+    let mut masks = scene.structure.masks();
     if scene.incomplete {
-        masks.fill(node);
+        let all = masks.iter().fold(scene.structure.rigid_mask(), |all, mask| all | mask);
+        masks.fill(all);
     }
     for (surface, &reference) in &scene.references {
-        if masks[reference as usize] == node && !scene.incomplete {
+        if masks[reference as usize] != 0 && !scene.incomplete {
             let title = format!("node {} belongs to elements", scene.node_label(reference));
             let at = scene.surfaces.get(surface).map_or(scene.node_places[reference as usize], |(_, at)| *at);
             diagnostics.push(Diagnostic::error(at, title).label("the reference node of a rigid surface stands alone"));
         }
-        masks[reference as usize] |= rigid;
+        masks[reference as usize] |= scene.structure.rigid_mask();
     }
     scene.masks = masks;
 }
 
-/// Elements with the same nodes are told.
+/// Solids, trusses and beams with the same nodes are told; springs and the like share them as they need.
 pub fn twins(scene: &Scene<'_>, diagnostics: &mut Diagnostics) {
     let mesh = &scene.structure.mesh;
     let sorted = |cell: CellId| {
@@ -80,7 +79,8 @@ pub fn twins(scene: &Scene<'_>, diagnostics: &mut Diagnostics) {
         let sum: u64 = nodes.iter().map(|&n| (u64::from(n) + 1).wrapping_mul(0x9E37_79B9_7F4A_7C15) >> 20).sum();
         (nodes.iter().min().copied().unwrap_or(0), sum)
     };
-    let mut keys: Vec<((u32, u64), CellId)> = mesh.cells().map(|cell| (key(cell), cell)).collect();
+    let body = |cell: &CellId| matches!(scene.element_of(*cell).family(), Family::Solid | Family::Truss | Family::Beam);
+    let mut keys: Vec<((u32, u64), CellId)> = mesh.cells().filter(body).map(|cell| (key(cell), cell)).collect();
     keys.sort_unstable();
     for pair in keys.windows(2).filter(|pair| pair[0].0 == pair[1].0) {
         let (first, second) = (pair[0].1, pair[1].1);

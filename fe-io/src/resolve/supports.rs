@@ -144,7 +144,7 @@ fn existing(line: &Line<'_>, nodes: &[u32], scene: &Scene<'_>, diagnostics: &mut
     }
     let title = format!("no node of `{}` has freedom {}", normalized(line.nodes.text), missing.join(", "));
     // Decks for other programs hold what a rigid body around an axis does not have.
-    let rigid_rings = scene.structure.is_axisymmetric() && all == scene.structure.freedom_masks().1;
+    let rigid_rings = scene.structure.is_axisymmetric() && all == scene.structure.rigid_mask();
     if missing.len() < line.freedoms.len() || (rigid_rings && line.value == 0.0) {
         diagnostics.push(Diagnostic::note(line.at, title).label("left out"));
         return;

@@ -115,7 +115,7 @@ impl<const N: usize, const R: usize, const M: usize, const D: usize, const G: us
     pub fn new(element: ElementType, elastic: &Elastic, thickness: f64) -> Self {
         let (lambda, mu) = (elastic.lambda(), elastic.mu());
         let (lambda, factor) = match element.space() {
-            Space::Solid => (lambda, 1.0),
+            Space::Solid | Space::Plane | Space::Any => (lambda, 1.0),
             Space::PlaneStrain => (lambda, thickness),
             Space::PlaneStress => (2.0 * lambda * mu / (lambda + 2.0 * mu), thickness),
             Space::Axisymmetric => (lambda, std::f64::consts::TAU),
