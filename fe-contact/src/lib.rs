@@ -19,6 +19,7 @@ pub mod overlap;
 pub mod pair;
 pub mod point;
 pub mod polygon;
+pub mod redundant;
 pub mod rigid;
 pub mod search;
 pub mod share;

@@ -42,7 +42,7 @@ pub fn check(deck: &Path, library: &Library) -> Result<String, JobFailure> {
             Matrix::of(&pattern, solver.cost())
         });
         let bodies = free_bodies(&terms.structure, &terms.freedoms, &terms.bodies, &fixed, &terms.contacts);
-        let plan = Plan::of(&terms, step, scene.prescribed.len(), matrix, &bodies);
+        let plan = Plan::of(&terms, step, (&rest.u, &fixed), matrix, &bodies);
         let _ = writeln!(text, "\nstep {}, time {}\n{plan}", index + 1, step.increments.period);
     }
     Ok(text)

@@ -148,7 +148,6 @@ impl StepRun<'_, '_> {
     ) -> Result<(), JobFailure> {
         let scene = enter(self.model, self.terms, self.number - 1, course, at)?;
         let fixed: Vec<bool> = scene.free().iter().map(|f| !f).collect();
-        let prescribed = scene.prescribed.len();
         let free =
             free_bodies(&self.terms.structure, &self.terms.freedoms, &self.terms.bodies, &fixed, &self.terms.contacts);
         at.step_time = 0.0;
@@ -157,7 +156,7 @@ impl StepRun<'_, '_> {
         let mut procedure = StaticGeneral::new(scene, self.step.controls, solver)
             .map_err(|reject| self.failure(0.0, explain(&reject, self.terms), help(&reject)))?;
         let matrix = procedure.pattern().zip(procedure.cost()).map(|(pattern, cost)| Matrix::of(pattern, cost));
-        let plan = Plan::of(self.terms, self.step, prescribed, matrix, &free);
+        let plan = Plan::of(self.terms, self.step, (&at.u, &fixed), matrix, &free);
         let period = self.step.increments.period;
         self.observer.event(Event::Step { number: self.number, plan: &plan, period });
         let mut size = IncrementSize::new(self.step.increments, self.step.controls);

@@ -4,6 +4,7 @@ use crate::approach::{FreeBody, in_words};
 use crate::terms::Terms;
 use fe_contact::contact::Contact;
 use fe_contact::pair::Discretization;
+use fe_contact::redundant::redundant;
 use fe_contact::summary::Means;
 use fe_core::linear::Cost;
 use fe_core::matrix::Pattern;
@@ -70,9 +71,16 @@ impl Matrix {
 }
 
 impl Plan {
-    /// Of a step with so many prescribed freedoms; `matrix` where there is one.
-    pub fn of(terms: &Terms, step: &Step, prescribed: usize, matrix: Option<Matrix>, free: &[FreeBody]) -> Self {
+    /// Of a step that begins at a displacement `u` with some freedoms prescribed; `matrix` where there is one.
+    pub fn of(
+        terms: &Terms,
+        step: &Step,
+        (u, fixed): (&[f64], &[bool]),
+        matrix: Option<Matrix>,
+        free: &[FreeBody],
+    ) -> Self {
         let freedoms = &terms.freedoms;
+        let prescribed = fixed.iter().filter(|f| **f).count();
         let unknowns = freedoms.len() - prescribed;
         let mut needs = Vec::new();
         let i = step.increments;
@@ -88,6 +96,7 @@ impl Plan {
         for pair in terms.contacts.iter().filter(|pair| !pair.points.is_empty()) {
             needs.push(("contact pair".into(), pair_in_words(pair)));
         }
+        needs.extend(over_constraint(terms, u, fixed).map(|words| ("over-constraint".into(), words)));
         let searched: Vec<usize> = terms.contacts.iter().filter_map(|pair| pair.summary().searched).collect();
         if !searched.is_empty() {
             needs.push((
@@ -117,6 +126,19 @@ impl Plan {
         format!("{} unknowns, {}", self.unknowns, matrix.unwrap_or("no matrix"))
     }
 }
+
+/// Multipliers that others, or supports, make superfluous.
+fn over_constraint(terms: &Terms, u: &[f64], fixed: &[bool]) -> Option<String> {
+    let found = redundant(&terms.contacts, u, fixed);
+    let labels = found.iter().map(|r| terms.structure.mesh.point_labels[r.node as usize].to_string());
+    let shown: Vec<String> = labels.take(SHOWN).collect();
+    let more = if found.len() > SHOWN { ", …" } else { "" };
+    let words = "say at touch what supports or other multipliers say, and share their force";
+    (!found.is_empty()).then(|| format!("{} multipliers {words}: nodes {}{more}", found.len(), shown.join(", ")))
+}
+
+/// Labels that a list shows.
+const SHOWN: usize = 10;
 
 /// Memory [bytes] in words.
 fn size(bytes: usize) -> String {

@@ -1,0 +1,123 @@
+//! Constraints that say what supports or other constraints say already. Multipliers share their force, which is then not
+//! determined point by point; that is told.
+
+use crate::contact::Contact;
+use std::collections::{BTreeMap, BTreeSet};
+
+/// What elimination leaves of a row that depends on others [-], of its size: between round-off and the least angle between
+/// constraints that meshes bring about.
+const NOTHING: f64 = 1e-10;
+
+/// A touching point with a multiplier whose constraint depends on those before it and on the supports.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Redundant {
+    /// Index of the contact.
+    pub contact: usize,
+    /// The secondary node.
+    pub node: u32,
+}
+
+/// The redundant points among those that touch at `u`; `fixed` tells the prescribed freedoms. Only points can be redundant
+/// that have a prescribed freedom, or a node that is secondary in another contact, too.
+pub fn redundant(contacts: &[Contact], u: &[f64], fixed: &[bool]) -> Vec<Redundant> {
+    let mut secondary: BTreeMap<u32, BTreeSet<usize>> = BTreeMap::new();
+    for (k, contact) in contacts.iter().enumerate().filter(|(_, c)| c.multipliers.is_some()) {
+        contact.points.iter().for_each(|p| _ = secondary.entry(p.node).or_default().insert(k));
+    }
+    let mut eliminated = Eliminated::default();
+    let mut found = Vec::new();
+    for (k, contact) in contacts.iter().enumerate().filter(|(_, c)| c.multipliers.is_some()) {
+        let elsewhere = |n: &u32| secondary.get(n).is_some_and(|of| of.iter().any(|&other| other != k));
+        for (i, point) in contact.points.iter().enumerate() {
+            let here = contact.at(i, u);
+            if here.gap > contact.law.reach() + contact.touch {
+                continue;
+            }
+            let freedoms = contact.places[i].iter().cloned().flatten();
+            let row: Vec<(usize, f64)> = freedoms.zip(here.row.iter().copied()).filter(|d| d.1 != 0.0).collect();
+            let suspect = row.iter().any(|d| fixed[d.0]) || point.nodes.iter().any(elsewhere);
+            if suspect && !eliminated.takes(row, fixed) {
+                found.push(Redundant { contact: k, node: point.node });
+            }
+        }
+    }
+    found
+}
+
+/// Rows by Gaussian elimination, each with the freedom of its largest entry as pivot.
+#[derive(Debug, Default)]
+struct Eliminated {
+    rows: Vec<BTreeMap<usize, f64>>,
+    /// The row whose pivot a freedom is.
+    of_pivot: BTreeMap<usize, usize>,
+}
+
+impl Eliminated {
+    /// Takes a row in; false where it depends on the rows taken in before.
+    fn takes(&mut self, row: Vec<(usize, f64)>, fixed: &[bool]) -> bool {
+        let size = row.iter().fold(0.0, |m: f64, d| m.max(d.1.abs()));
+        let mut rest: BTreeMap<usize, f64> = row.into_iter().filter(|d| !fixed[d.0]).collect();
+        // A row is free of the pivots of earlier ones, so that ascending order meets each once.
+        while let Some((row, pivot)) = rest.keys().filter_map(|f| Some((*self.of_pivot.get(f)?, *f))).min() {
+            let factor = rest[&pivot] / self.rows[row][&pivot];
+            for (f, d) in &self.rows[row] {
+                *rest.entry(*f).or_insert(0.0) -= factor * d;
+            }
+            rest.remove(&pivot);
+        }
+        let largest = rest.iter().max_by(|a, b| a.1.abs().total_cmp(&b.1.abs()));
+        match largest {
+            Some((&pivot, d)) if d.abs() > NOTHING * size => {
+                self.of_pivot.insert(pivot, self.rows.len());
+                self.rows.push(rest);
+                true
+            }
+            _ => false,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn count(rows: &[&[(usize, f64)]], fixed: &[bool]) -> usize {
+        let mut eliminated = Eliminated::default();
+        rows.iter().filter(|row| !eliminated.takes(row.to_vec(), fixed)).count()
+    }
+
+    #[test]
+    fn dependent_rows_are_found() {
+        let free = [false; 4];
+        let (a, b): (&[_], &[_]) = (&[(0, 1.0), (1, -1.0)], &[(1, 1.0), (2, -1.0)]);
+        assert_eq!(count(&[a, b], &free), 0);
+        assert_eq!(count(&[a, b, &[(0, 2.0), (2, -2.0)]], &free), 1);
+        assert_eq!(count(&[a, &[(0, -1.0), (1, 1.0)], b], &free), 1);
+        assert_eq!(count(&[a, b], &[true, true, false, false]), 1);
+    }
+
+    /// Node constraints both ways on a straight interface of m and n nodes: the gap has m + n freedoms, but one side's nodes
+    /// between matching ones repeat nothing (D08).
+    #[test]
+    fn d08_redundancy_of_two_passes() {
+        for (m, n, expected) in [(4, 4, 4), (5, 4, 2), (6, 5, 2), (9, 5, 5)] {
+            let free = vec![false; m + n];
+            // Heights of m nodes on one side, then of n on the other.
+            let side = |from: (usize, usize), to: (usize, usize)| -> Vec<Vec<(usize, f64)>> {
+                let row = |i: usize| {
+                    let x = i as f64 * (to.0 - 1) as f64 / (from.0 - 1) as f64;
+                    let (j, part) = (x.floor(), x - x.floor());
+                    let near = [(to.1 + j as usize, part - 1.0), (to.1 + j as usize + 1, -part)];
+                    let rest = near.into_iter().filter(|d| d.1 != 0.0);
+                    std::iter::once((from.1 + i, 1.0)).chain(rest).collect()
+                };
+                (0..from.0).map(row).collect()
+            };
+            let (upper, lower) = ((m, 0), (n, m));
+            let rows: Vec<_> = side(upper, lower).into_iter().chain(side(lower, upper)).collect();
+            let mut eliminated = Eliminated::default();
+            let dependent = rows.into_iter().filter(|row| !eliminated.takes(row.clone(), &free)).count();
+            assert_eq!(dependent, expected, "{m} and {n} nodes");
+        }
+    }
+}
