@@ -87,6 +87,7 @@ impl Contact {
             multipliers,
             no_separation: interaction.no_separation,
             law,
+            length: ground.length,
             touch: TOUCH * model_size(structure),
             summary: Summary {
                 discretization,

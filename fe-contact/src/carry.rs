@@ -24,6 +24,13 @@ pub(crate) struct Ground {
     pub slides_far: bool,
 }
 
+impl Ground {
+    /// Stiffness [F/L³] up to which a law stands as it is.
+    fn stiffest(&self) -> Option<f64> {
+        self.beneath.map(|k| AUGMENTED_FACTOR * k)
+    }
+}
+
 /// A law and what stands on top of it.
 #[derive(Clone, Debug)]
 pub(crate) struct Carried {
@@ -36,24 +43,26 @@ pub(crate) struct Carried {
 }
 
 impl Carried {
-    /// Softened laws that are nowhere steeper than a thousand times the elements beneath stand as they are (Abaqus Analysis
-    /// User's Manual, Contact constraint enforcement methods).
+    /// Laws and penalties that are nowhere steeper than a thousand times the elements beneath stand as they are (Abaqus
+    /// Analysis User's Manual, Contact constraint enforcement methods).
     pub fn new(normal: &NormalBehavior, ground: Ground) -> Result<Self, NoStiffness> {
         match normal {
-            NormalBehavior::Softened(law) => Ok(Self::softened(law, ground)),
+            NormalBehavior::Softened(law) => Ok(Self::softened(law.clone(), ground)),
             NormalBehavior::Hard(enforcement) => Self::hard(*enforcement, ground),
         }
     }
 
-    fn softened(law: &Arc<dyn NormalLaw>, ground: Ground) -> Self {
-        let plain = Carried { law: law.clone(), penalty: None, multipliers: None };
-        let Some(spring) = ground.beneath.map(|k| AUGMENTED_FACTOR * k) else { return plain };
-        if law.steepest() <= spring {
-            return plain;
+    fn softened(law: Arc<dyn NormalLaw>, ground: Ground) -> Self {
+        match ground.stiffest() {
+            Some(spring) if law.steepest() > spring => Self::in_series(law, spring, ground),
+            _ => Carried { law, penalty: None, multipliers: None },
         }
+    }
+
+    fn in_series(law: Arc<dyn NormalLaw>, spring: f64, ground: Ground) -> Self {
         let penalty =
             PenaltySummary { means: Means::Mixed, stiffness: spring, by_default: true, scale: 1.0, clearance: 0.0 };
-        Carried { law: Arc::new(InSeries { law: law.clone(), spring }), ..Self::with(penalty, ground) }
+        Carried { law: Arc::new(InSeries { law, spring }), ..Self::with(penalty, ground) }
     }
 
     fn hard(enforcement: Enforcement, ground: Ground) -> Result<Self, NoStiffness> {
@@ -67,7 +76,17 @@ impl Carried {
         };
         let base = stiffness.or(ground.beneath.map(|k| factor * k)).ok_or(NoStiffness)?;
         let by_default = stiffness.is_none();
-        Ok(Self::with(PenaltySummary { means, stiffness: scale * base, by_default, scale, clearance }, ground))
+        let penalty = PenaltySummary { means, stiffness: scale * base, by_default, scale, clearance };
+        Ok(match ground.stiffest() {
+            // So steep a penalty would drown the bodies' own stiffness in rounding.
+            Some(spring) if penalty.stiffness > spring && means == Means::Penalty => {
+                Self::in_series(Arc::new(Linear { slope: penalty.stiffness, clearance }), spring, ground)
+            }
+            Some(spring) if penalty.stiffness > spring => {
+                Self::with(PenaltySummary { stiffness: spring, ..penalty }, ground)
+            }
+            _ => Self::with(penalty, ground),
+        })
     }
 
     fn with(penalty: PenaltySummary, ground: Ground) -> Self {

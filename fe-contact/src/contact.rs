@@ -28,6 +28,8 @@ pub struct Contact {
     pub(crate) multipliers: Option<Multipliers>,
     /// True where points that closed may pull.
     pub(crate) no_separation: bool,
+    /// Length [L] of the facets, or what stands for it; 0 where nothing does.
+    pub(crate) length: f64,
     /// Gaps [L] this near to the law's kink touch.
     pub(crate) touch: f64,
     pub(crate) summary: Summary,

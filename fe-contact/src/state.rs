@@ -3,6 +3,7 @@
 use crate::contact::Contact;
 use crate::facet::Vec3;
 use crate::point::{ContactStatus, Measure};
+use crate::summary::Means;
 use std::collections::BTreeMap;
 
 /// One point.
@@ -63,6 +64,20 @@ pub struct NodeValues {
     pub measure: f64,
 }
 
+/// Overclosure of a penalty over the length of a facet up to which contact may be called hard [-].
+const SMALL: f64 = 0.01;
+
+/// A penalty so soft that the bodies overlap visibly.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct TooSoft {
+    /// Node with the largest overclosure.
+    pub node: u32,
+    /// It [L].
+    pub overclosure: f64,
+    /// It over the length of a facet [-].
+    pub part: f64,
+}
+
 impl Contact {
     /// The state at a displacement, with the history that belongs to it.
     pub fn state(&self, u: &[f64], history: &[f64]) -> ContactState {
@@ -103,6 +118,15 @@ impl Contact {
         state.secondary = self.side(&forces, &self.sides.secondary_nodes, Vec3::zeros());
         state.main = self.side(&forces, &self.sides.main_nodes, turning);
         state
+    }
+
+    /// What is to be said of an overclosure that a penalty leaves, where it is no longer small beside the facets.
+    pub fn too_soft(&self, state: &ContactState) -> Option<TooSoft> {
+        let penalty = self.summary.penalty.filter(|p| p.means == Means::Penalty)?;
+        let (node, overclosure) = state.largest_overclosure?;
+        let overclosure = overclosure + penalty.clearance;
+        let part = overclosure / self.length;
+        (self.length > 0.0 && part > SMALL).then_some(TooSoft { node, overclosure, part })
     }
 
     fn side(&self, forces: &BTreeMap<u32, Vec3>, nodes: &[u32], turning: Vec3) -> SideForce {

@@ -163,7 +163,21 @@ impl StepRun<'_, '_> {
         let ended = self.increments(&mut size, &mut procedure, at, (&fixed, &free), certificate);
         certificate.seconds.procedure += procedure.seconds();
         certificate.factorisations += procedure.factorisations();
+        self.tell_soft_contact(at);
         ended
+    }
+
+    /// Warns where a penalty let bodies overlap visibly.
+    fn tell_soft_contact(&mut self, at: &Converged) {
+        for (contact, state) in self.terms.contacts.iter().zip(self.terms.states(at)) {
+            let Some(soft) = contact.too_soft(&state) else { continue };
+            let (name, percent, overclosure) = (contact.name(), 100.0 * soft.part, soft.overclosure);
+            let label = self.terms.structure.mesh.point_labels[soft.node as usize];
+            self.observer.event(Event::Note(&format!(
+                "warning: the penalty of {name} lets node {label} in by {overclosure:.3e}, {percent:.1} % of a facet: contact \
+                 is not hard there; a stiffer penalty, AUGMENTED LAGRANGE or DIRECT is"
+            )));
+        }
     }
 
     fn increments(

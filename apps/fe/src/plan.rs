@@ -168,7 +168,7 @@ fn pair_in_words(pair: &Contact) -> String {
                 Means::Multipliers => format!("hard by multipliers, found by augmenting a penalty of {penalty}"),
                 Means::Mixed => {
                     let law = pair.law().words(s.measure);
-                    format!("softened, {law}, with multipliers, found by augmenting a penalty of {penalty}")
+                    format!("{law}, with multipliers, found by augmenting a penalty of {penalty}")
                 }
             }
         }
