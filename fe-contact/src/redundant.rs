@@ -44,6 +44,36 @@ pub fn redundant(contacts: &[Contact], u: &[f64], fixed: &[bool]) -> Vec<Redunda
     found
 }
 
+/// A point with a multiplier that supports hold inside the other body.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Contradiction {
+    /// Index of the contact.
+    pub contact: usize,
+    /// The secondary node.
+    pub node: u32,
+    /// Overclosure [L].
+    pub overclosure: f64,
+}
+
+/// The deepest point that no free freedom can move and that overlaps at `u`.
+pub fn contradiction(contacts: &[Contact], u: &[f64], fixed: &[bool]) -> Option<Contradiction> {
+    let mut deepest: Option<Contradiction> = None;
+    for (k, contact) in contacts.iter().enumerate().filter(|(_, c)| c.multipliers.is_some_and(|m| m.allowed.is_none()))
+    {
+        let reach = contact.law.reach();
+        for (i, point) in contact.points.iter().enumerate() {
+            let here = contact.at(i, u);
+            let overclosure = reach - here.gap;
+            let mut freedoms = contact.places[i].iter().cloned().flatten().zip(here.row.iter());
+            let contradicts = overclosure > contact.touch && freedoms.all(|(f, d)| fixed[f] || *d == 0.0);
+            if contradicts && deepest.is_none_or(|d| overclosure > d.overclosure) {
+                deepest = Some(Contradiction { contact: k, node: point.node, overclosure });
+            }
+        }
+    }
+    deepest
+}
+
 /// Rows by Gaussian elimination, each with the freedom of its largest entry as pivot.
 #[derive(Debug, Default)]
 struct Eliminated {

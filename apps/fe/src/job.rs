@@ -9,6 +9,7 @@ use crate::plan::{Matrix, Plan};
 use crate::reason::{explain, help};
 use crate::recorder::{self, Increment, Recorder};
 use crate::terms::Terms;
+use fe_contact::redundant::contradiction;
 use fe_core::bodies::RigidMotion;
 use fe_core::increment::{Failure, IncrementSize};
 use fe_core::linear::multifrontal::Multifrontal;
@@ -152,6 +153,7 @@ impl StepRun<'_, '_> {
             free_bodies(&self.terms.structure, &self.terms.freedoms, &self.terms.bodies, &fixed, &self.terms.contacts);
         at.step_time = 0.0;
         self.bring_into_contact(&free, &scene, at)?;
+        self.must_not_contradict(&scene, at, &fixed)?;
         let solver = Box::new(Multifrontal::default());
         let mut procedure = StaticGeneral::new(scene, self.step.controls, solver)
             .map_err(|reject| self.failure(0.0, explain(&reject, self.terms), help(&reject)))?;
@@ -279,6 +281,22 @@ impl StepRun<'_, '_> {
                 Err(self.failure(0.0, reason, "hold it by *BOUNDARY".into()))
             }
         }
+    }
+
+    /// Refuses supports that hold a node inside a body that hard contact holds it out of.
+    fn must_not_contradict(&self, scene: &Scene, at: &Converged, fixed: &[bool]) -> Result<(), JobFailure> {
+        let mut end = at.u.clone();
+        let total = at.total_time + scene.period;
+        scene.prescribed.iter().for_each(|(f, ramp)| end[*f] = ramp.at(scene.period, total, scene.period));
+        let Some(found) = contradiction(&self.terms.contacts, &end, fixed) else { return Ok(()) };
+        let (secondary, main) = self.terms.contacts[found.contact].surfaces();
+        let label = self.terms.structure.mesh.point_labels[found.node as usize];
+        let reason = format!(
+            "*BOUNDARY holds node {label} of {secondary} {:.3e} inside {main} at the end of the step, and hard contact \
+             holds it out",
+            found.overclosure
+        );
+        Err(self.failure(0.0, reason, "move one of them, or use *SURFACE BEHAVIOR, PENALTY".into()))
     }
 
     /// Refuses an equilibrium in which a free body might as well stand elsewhere.

@@ -25,6 +25,8 @@ pub struct Patch {
     pub overlap: f64,
     /// The upper block's surface is the secondary one.
     pub upper_is_secondary: bool,
+    /// The main surface is secondary of a second pair.
+    pub both_ways: bool,
     /// Cards of the interaction, after `*SURFACE INTERACTION`.
     pub behavior: String,
     /// `TYPE=` of the pair.
@@ -42,6 +44,7 @@ impl Default for Patch {
             across: [4, 4],
             overlap: 0.0,
             upper_is_secondary: true,
+            both_ways: false,
             behavior: "*SURFACE BEHAVIOR, PENALTY\n".into(),
             kind: "SURFACE TO SURFACE",
             poisson: POISSON,
@@ -93,8 +96,9 @@ impl Patch {
         let axis = self.axis();
         let sides = [format!("UP_{axis}MIN"), format!("LOW_{axis}MAX")];
         let [secondary, main] = if self.upper_is_secondary { [0, 1] } else { [1, 0] }.map(|i: usize| &sides[i]);
+        let second = if self.both_ways { format!("{main}, {secondary}\n") } else { String::new() };
         format!(
-            "{}{}*SURFACE INTERACTION, NAME=I\n{}*CONTACT PAIR, INTERACTION=I, TYPE={}\n{secondary}, {main}\n",
+            "{}{}*SURFACE INTERACTION, NAME=I\n{}*CONTACT PAIR, INTERACTION=I, TYPE={}\n{secondary}, {main}\n{second}",
             deck::cards(mesh, &sets.map(|set| (set, self.element)), order),
             deck::elastic(&sets, YOUNG, self.poisson),
             self.behavior,

@@ -9,13 +9,18 @@ mod laws;
 mod moved;
 mod order;
 mod overclosure;
+mod overconstraint;
 mod units;
 
 use super::Case;
 
 /// All cases that are built, by number.
 pub const CASES: &[Case] = &[
+    Case { id: "D04", name: "overconstraint", scenes: overconstraint::supported },
+    Case { id: "D05", name: "shared_nodes", scenes: overconstraint::shared },
+    Case { id: "D06", name: "two_pass", scenes: overconstraint::two_pass },
     Case { id: "D07", name: "initial_overclosure", scenes: overclosure::scenes },
+    Case { id: "D08", name: "redundancy_count", scenes: overconstraint::count },
     Case { id: "D09", name: "edges_and_vertices", scenes: edges::scenes },
     Case { id: "D10", name: "tiny_c0", scenes: laws::tiny_clearance },
     Case { id: "D11", name: "odd_laws", scenes: laws::odd },
