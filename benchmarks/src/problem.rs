@@ -117,6 +117,7 @@ impl Scene {
             elements: self.mesh.blocks.iter().filter_map(of_kind).collect(),
             materials: vec![Material { name: "M".into(), elastic, density: None }],
             sections: self.elements.iter().map(section).collect(),
+            ..Structure::default()
         }
     }
 }

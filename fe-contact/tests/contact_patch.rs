@@ -62,7 +62,7 @@ fn patch(elements: [ElementType; 2], lower: [usize; 3], upper: [usize; 3]) -> Pa
     let materials = vec![Material { name: "M".into(), elastic, density: None }];
     let solid = below.space() == Space::Solid;
     let (axis, sides) = if solid { (2, ["ZMIN", "ZMAX"]) } else { (1, ["YMIN", "YMAX"]) };
-    Patch { structure: Structure { mesh, elements: types, materials, sections }, axis, sides }
+    Patch { structure: Structure { mesh, elements: types, materials, sections, ..Structure::default() }, axis, sides }
 }
 
 /// Largest deviation of any stress component at any integration point, and of any contact pressure, over the pressure;

@@ -57,7 +57,8 @@ fn solve(element: ElementType, n: usize, discretization: Discretization, direct:
     mesh.point_labels.push(u64::from(reference) + 1);
     let section = Section { element, cells: mesh.cell_sets["BLOCK"].clone(), material: 0, thickness: 1.0 };
     let materials = vec![Material { name: "M".into(), elastic: ELASTIC, density: None }];
-    let structure = Structure { mesh, elements: vec![element], materials, sections: vec![section] };
+    let structure =
+        Structure { mesh, elements: vec![element], materials, sections: vec![section], ..Structure::default() };
     let freedoms = structure.freedoms(&[reference]);
     let solids = [SolidBlock::new(&structure, &structure.sections[0], &freedoms).unwrap()];
     let pieces = vec![Piece::Line { to: [2.0, 0.0] }];

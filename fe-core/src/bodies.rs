@@ -1,10 +1,12 @@
 //! Bodies: connected elements, and the rigid motions that supports leave them.
 
+use crate::element::{ElementType, Family};
 use crate::freedoms::{COMPONENTS, Freedoms};
 use crate::structure::Structure;
 use nalgebra::{Matrix6, SymmetricEigen, Vector6};
+use std::collections::BTreeSet;
 
-/// Elements that share nodes, or the reference node of a rigid body.
+/// Elements that share nodes (springs included, contact and dashpots not), or the reference node of a rigid body.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Body {
     /// Nodes, ascending.
@@ -57,17 +59,31 @@ impl Body {
     }
 
     /// An orthonormal basis (rotations measured times the body's size) of the rigid motions that leave every
-    /// fixed freedom at rest.
+    /// fixed freedom, and every one with a spring to the ground, at rest.
     pub fn free_motions(&self, structure: &Structure, freedoms: &Freedoms, fixed: &[bool]) -> Vec<RigidMotion> {
         let modes = rigid_modes(structure, self.size);
-        let mut held = Matrix6::zeros();
+        let grounded = grounded(structure, &self.nodes);
+        let (mut held, mut there) = (Matrix6::zeros(), Matrix6::zeros());
         for &n in &self.nodes {
-            for f in freedoms.of_node(n as usize).filter(|&f| fixed[f]) {
+            for f in freedoms.of_node(n as usize) {
+                let component = freedoms.component(f);
+                // Rotations count by what they move the rim.
+                let arm = if component < 3 { 1.0 } else { self.size };
                 let mut row = Vector6::zeros();
                 for (k, mode) in modes.iter().enumerate() {
-                    row[k] = self.displacement(&structure.mesh.points[n as usize], freedoms.component(f), mode);
+                    row[k] = arm * self.displacement(&structure.mesh.points[n as usize], component, mode);
                 }
-                held += row * row.transpose();
+                there += row * row.transpose();
+                if fixed[f] || grounded.contains(&(n, component as u8)) {
+                    held += row * row.transpose();
+                }
+            }
+        }
+        // A motion that moves no freedom (of a straight chain of trusses about itself) is none.
+        let eigen = SymmetricEigen::new(there);
+        for (value, vector) in eigen.eigenvalues.iter().zip(eigen.eigenvectors.column_iter()) {
+            if *value <= HELD {
+                held += vector * vector.transpose();
             }
         }
         // Directions that the space does not have count as held.
@@ -85,6 +101,13 @@ impl Body {
         }
         free
     }
+}
+
+/// The freedoms of some nodes, ascending, that a spring holds to the ground.
+fn grounded(structure: &Structure, nodes: &[u32]) -> BTreeSet<(u32, u8)> {
+    let springs = structure.discrete.iter().filter(|section| section.element == ElementType::SPRING1);
+    let held = springs.flat_map(|s| s.cells.iter().map(|&cell| (structure.mesh.cell(cell)[0], s.components[0])));
+    held.filter(|(node, _)| nodes.binary_search(node).is_ok()).collect()
 }
 
 /// The rigid motions of the space, rotations scaled so that the rim of a body of `size` moves by one.
@@ -111,9 +134,11 @@ pub fn bodies(structure: &Structure, references: &[u32]) -> Vec<Body> {
     }
     let mut used = vec![false; leader.len()];
     references.iter().for_each(|&n| used[n as usize] = true);
-    for section in &structure.sections {
-        for &cell in &section.cells {
-            let nodes = structure.mesh.cell(cell);
+    for (block, element) in structure.mesh.blocks.iter().zip(&structure.elements) {
+        // Contact and dashpots hold nothing together.
+        let family = element.family();
+        let joins = matches!(family, Family::Solid | Family::Truss | Family::Beam | Family::Spring);
+        for nodes in block.nodes.chunks_exact(if joins { block.kind.nodes() } else { 1 }) {
             let mut first = find(&mut leader, nodes[0]);
             for &n in nodes {
                 used[n as usize] = true;
@@ -157,7 +182,13 @@ mod tests {
         let mesh = Mesh { point_labels: (1..=9).collect(), points, blocks: vec![block], ..Mesh::default() };
         let cells = (0..2).map(|cell| CellId { block: 0, cell }).collect();
         let section = Section { element: ElementType::CPE4, cells, material: 0, thickness: 1.0 };
-        Structure { mesh, elements: vec![ElementType::CPE4], materials: vec![], sections: vec![section] }
+        Structure {
+            mesh,
+            elements: vec![ElementType::CPE4],
+            materials: vec![],
+            sections: vec![section],
+            ..Structure::default()
+        }
     }
 
     #[test]

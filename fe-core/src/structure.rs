@@ -3,20 +3,8 @@
 use crate::element::{ElementType, Space};
 use crate::freedoms::Freedoms;
 use crate::material::Material;
+pub use crate::section::{Discrete, LineSection, Profile, Section};
 use fe_mesh::{CellId, Mesh};
-
-/// Cells of one element type with one material: a block of like elements.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Section {
-    /// Element type of every cell.
-    pub element: ElementType,
-    /// The cells, ascending.
-    pub cells: Vec<CellId>,
-    /// Index into [`Structure::materials`].
-    pub material: usize,
-    /// Thickness [L] of plane elements; 1 otherwise.
-    pub thickness: f64,
-}
 
 /// Mesh, materials and sections. Every mesh block is of one element type; points that belong to no cell
 /// (reference nodes, unused nodes) are allowed.
@@ -28,8 +16,12 @@ pub struct Structure {
     pub elements: Vec<ElementType>,
     /// Materials.
     pub materials: Vec<Material>,
-    /// Sections; together they hold every cell exactly once.
+    /// Sections of solids; with those below they hold every cell that is no contact element exactly once.
     pub sections: Vec<Section>,
+    /// Trusses and beams.
+    pub lines: Vec<LineSection>,
+    /// Springs, dashpots and masses.
+    pub discrete: Vec<Discrete>,
 }
 
 impl Structure {
@@ -65,10 +57,28 @@ impl Structure {
         for (block, element) in self.mesh.blocks.iter().zip(&self.elements) {
             block.nodes.iter().for_each(|&n| masks[n as usize] |= element.freedoms(dimension));
         }
+        for section in self.discrete.iter().filter(|s| s.element.freedoms(dimension) == 0) {
+            for &cell in &section.cells {
+                let nodes = self.mesh.cell(cell).iter().zip(section.components);
+                nodes.for_each(|(&n, component)| masks[n as usize] |= 1 << component);
+            }
+        }
         masks
     }
 
-    /// Section of a cell.
+    /// The cells of every section: solids, trusses and beams, springs and the like.
+    pub fn section_cells(&self) -> impl Iterator<Item = &[CellId]> {
+        let solids = self.sections.iter().map(|s| s.cells.as_slice());
+        let lines = self.lines.iter().map(|s| s.cells.as_slice());
+        solids.chain(lines).chain(self.discrete.iter().map(|s| s.cells.as_slice()))
+    }
+
+    /// Section of a truss or beam.
+    pub fn line_section_of(&self, cell: CellId) -> Option<&LineSection> {
+        self.lines.iter().find(|s| s.cells.binary_search(&cell).is_ok())
+    }
+
+    /// Section of a solid cell.
     pub fn section_of(&self, cell: CellId) -> Option<&Section> {
         self.sections.iter().find(|s| s.cells.binary_search(&cell).is_ok())
     }

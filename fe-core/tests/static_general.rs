@@ -30,7 +30,13 @@ impl Beam {
         let section = Section { element: ElementType::C3D8, cells, material: 0, thickness: 1.0 };
         let elastic = Elastic { young: 2.1e5, poisson: 0.3 };
         let materials = vec![Material { name: "M".into(), elastic, density: None }];
-        let structure = Structure { mesh, elements: vec![ElementType::C3D8], materials, sections: vec![section] };
+        let structure = Structure {
+            mesh,
+            elements: vec![ElementType::C3D8],
+            materials,
+            sections: vec![section],
+            ..Structure::default()
+        };
         let freedoms = structure.freedoms(&[]);
         let solid = SolidBlock::new(&structure, &structure.sections[0], &freedoms).unwrap();
         Beam { structure, freedoms, solid }

@@ -1,10 +1,10 @@
 //! The certificate: what stands beside every converged increment, and beside the whole run.
 
 use crate::number::scientific;
+use crate::terms::Terms;
 use fe_contact::state::ContactState;
-use fe_core::Freedoms;
+use fe_core::element::Family;
 use fe_core::procedure::{Converged, Convergence, Energy, Seconds};
-use fe_core::structure::Structure;
 use std::fmt;
 
 /// Largest imbalance of the forces, over the largest sum of forces, that a certified increment may have. The sum
@@ -25,7 +25,7 @@ pub struct Certificate {
     pub contact_share: f64,
     /// Sum of applied forces by direction [F].
     pub applied: [f64; 3],
-    /// Sum of reactions by direction [F].
+    /// Sum of reactions by direction [F], those of springs to the ground included.
     pub reaction: [f64; 3],
     /// Largest component of their sum, over the largest sum of absolute values [-].
     pub imbalance: f64,
@@ -56,13 +56,13 @@ pub const COLUMNS: [(&str, &str); 14] = [
 impl Certificate {
     /// Of a converged state.
     pub fn of(
-        structure: &Structure,
-        freedoms: &Freedoms,
+        terms: &Terms,
         at: &Converged,
         convergence: &Convergence,
         pairs: &[ContactState],
         fixed: &[bool],
     ) -> Self {
+        let freedoms = &terms.freedoms;
         let (mut applied, mut reaction, mut size) = ([0.0; 3], [0.0; 3], [0.0f64; 3]);
         for (f, &prescribed) in fixed.iter().enumerate() {
             let c = freedoms.component(f);
@@ -73,8 +73,16 @@ impl Certificate {
                 size[c] += at.external[f].abs() + held.abs();
             }
         }
+        // What springs give to the ground comes back from there.
+        for members in terms.members.iter().filter(|members| members.element().family() == Family::Spring) {
+            let force = members.resultant(freedoms, &at.u);
+            for c in 0..3 {
+                reaction[c] -= force[c];
+                size[c] += force[c].abs();
+            }
+        }
         // About the axis, radial forces balance by the ring itself.
-        let axisymmetric = structure.is_axisymmetric();
+        let axisymmetric = terms.structure.is_axisymmetric();
         let sums = (0..3).filter(|&c| !(axisymmetric && c == 0)).map(|c| (applied[c] + reaction[c]).abs());
         // Forces that round-off alone explains need not balance: each freedom may leave as much.
         let noise = convergence.round_off * freedoms.len() as f64;

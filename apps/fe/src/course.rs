@@ -139,7 +139,9 @@ fn places(kind: &LoadKind) -> Vec<Place> {
     match kind {
         LoadKind::Nodal { nodes, .. } => nodes.iter().map(|&n| Place::Node(n)).collect(),
         LoadKind::Pressure { faces } => faces.iter().map(|&f| Place::Face(f)).collect(),
-        LoadKind::Gravity { cells, .. } => cells.iter().map(|&c| Place::Cell(c)).collect(),
+        LoadKind::Line { cells, .. } | LoadKind::Gravity { cells, .. } => {
+            cells.iter().map(|&c| Place::Cell(c)).collect()
+        }
     }
 }
 
@@ -149,13 +151,13 @@ fn on(kind: &LoadKind, places: Vec<Place>) -> LoadKind {
     match &mut kind {
         LoadKind::Nodal { nodes, .. } => nodes.clear(),
         LoadKind::Pressure { faces } => faces.clear(),
-        LoadKind::Gravity { cells, .. } => cells.clear(),
+        LoadKind::Line { cells, .. } | LoadKind::Gravity { cells, .. } => cells.clear(),
     }
     for place in places {
         match (&mut kind, place) {
             (LoadKind::Nodal { nodes, .. }, Place::Node(n)) => nodes.push(n),
             (LoadKind::Pressure { faces }, Place::Face(f)) => faces.push(f),
-            (LoadKind::Gravity { cells, .. }, Place::Cell(c)) => cells.push(c),
+            (LoadKind::Line { cells, .. } | LoadKind::Gravity { cells, .. }, Place::Cell(c)) => cells.push(c),
             _ => {}
         }
     }
@@ -166,6 +168,7 @@ fn on(kind: &LoadKind, places: Vec<Place>) -> LoadKind {
 fn alike(a: &LoadKind, b: &LoadKind) -> bool {
     match (a, b) {
         (LoadKind::Nodal { component: p, .. }, LoadKind::Nodal { component: q, .. }) => p == q,
+        (LoadKind::Line { component: p, .. }, LoadKind::Line { component: q, .. }) => p == q,
         _ => std::mem::discriminant(a) == std::mem::discriminant(b),
     }
 }

@@ -3,6 +3,7 @@
 use crate::terms::Terms;
 use fe_contact::point::ContactStatus;
 use fe_contact::state::{ContactState, NodeValues};
+use fe_core::member::Uniaxial;
 use fe_core::procedure::Converged;
 use fe_core::solid::PointFields;
 use fe_io::results::{FieldInfo, Location};
@@ -12,6 +13,8 @@ use std::cell::OnceCell;
 pub struct Recovered {
     /// One for each section.
     pub blocks: Vec<PointFields>,
+    /// One for each section of trusses or beams and of springs: of trusses alone.
+    pub trusses: Vec<Vec<Uniaxial>>,
     /// Stress at the nodes, which more than one field shows.
     nodal_stress: OnceCell<Vec<[f64; 6]>>,
 }
@@ -20,7 +23,8 @@ impl Recovered {
     /// At a displacement.
     pub fn at(terms: &Terms, u: &[f64]) -> Self {
         let blocks = terms.solids.iter().map(|block| block.stresses(u)).collect();
-        Recovered { blocks, nodal_stress: OnceCell::new() }
+        let trusses = terms.members.iter().map(|members| members.uniaxial(u)).collect();
+        Recovered { blocks, trusses, nodal_stress: OnceCell::new() }
     }
 }
 
@@ -82,7 +86,7 @@ impl Source<'_> {
         out
     }
 
-    /// Mean over the cells around each node of what the integration points extrapolate to.
+    /// Mean over the solids around each node of what the integration points extrapolate to.
     fn nodal(&self, tensor: Tensor) -> Vec<[f64; 6]> {
         let points = self.terms.structure.mesh.points.len();
         let (mut sum, mut count) = (vec![[0.0; 6]; points], vec![0u32; points]);
@@ -103,7 +107,7 @@ impl Source<'_> {
         self.recovered.map(stress).unwrap_or_default()
     }
 
-    /// Mean over the integration points of each cell, in the mesh's order.
+    /// Mean over the integration points of each solid and truss, in the mesh's order; of a truss what is along it.
     fn cells(&self, tensor: Tensor) -> Vec<[f64; 6]> {
         let mesh = &self.terms.structure.mesh;
         let first = mesh.first_cells();
@@ -111,6 +115,15 @@ impl Source<'_> {
         for (block, fields) in self.terms.solids.iter().zip(self.blocks()) {
             let n = block.points();
             for (cell, values) in block.cells().iter().zip(tensor_of(fields, tensor).chunks_exact(n)) {
+                let mean = |c: usize| values.iter().map(|v| v[c]).sum::<f64>() / n as f64;
+                out[first[cell.block as usize] + cell.cell as usize] = std::array::from_fn(mean);
+            }
+        }
+        let trusses = self.recovered.map_or(&[][..], |r| &r.trusses);
+        for (members, states) in self.terms.members.iter().zip(trusses).filter(|(_, states)| !states.is_empty()) {
+            let n = members.points();
+            for (cell, states) in members.cells().iter().zip(states.chunks_exact(n)) {
+                let values: Vec<[f64; 6]> = states.iter().map(|state| along(state, tensor)).collect();
                 let mean = |c: usize| values.iter().map(|v| v[c]).sum::<f64>() / n as f64;
                 out[first[cell.block as usize] + cell.cell as usize] = std::array::from_fn(mean);
             }
@@ -147,6 +160,13 @@ impl Source<'_> {
         }
         out
     }
+}
+
+/// The tensor s t⊗t of a truss of direction t.
+fn along(state: &Uniaxial, tensor: Tensor) -> [f64; 6] {
+    let s = if tensor == Tensor::Stress { state.stress } else { state.strain };
+    let [x, y, z] = state.direction;
+    [x * x, y * y, z * z, x * y, y * z, x * z].map(|t| s * t)
 }
 
 fn tensor_of(fields: &PointFields, tensor: Tensor) -> &[[f64; 6]] {

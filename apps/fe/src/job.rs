@@ -202,8 +202,7 @@ impl StepRun<'_, '_> {
                     size.accept(attempt, convergence.equilibrium_iterations);
                     self.must_be_decided(free, at)?;
                     let states = self.terms.states(at);
-                    let (structure, freedoms) = (&self.terms.structure, &self.terms.freedoms);
-                    let certificate = Certificate::of(structure, freedoms, at, &convergence, &states, fixed);
+                    let certificate = Certificate::of(self.terms, at, &convergence, &states, fixed);
                     if let Some(fault) = certificate.fault() {
                         return Err(self.failure(at.step_time, fault, "this increment was not written".into()));
                     }

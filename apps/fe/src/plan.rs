@@ -6,6 +6,7 @@ use fe_contact::contact::Contact;
 use fe_contact::pair::Discretization;
 use fe_contact::redundant::redundant;
 use fe_contact::summary::Means;
+use fe_core::element::{ElementType, Family};
 use fe_core::linear::Cost;
 use fe_core::matrix::Pattern;
 use fe_core::term::Term;
@@ -91,6 +92,7 @@ impl Plan {
             let (count, element) = (section.cells.len(), section.element.name());
             needs.push(("solids".into(), format!("{count} {element} of {}, linear", material.name)));
         }
+        needs.extend(members_in_words(terms));
         needs.push(("unknowns".into(), format!("{unknowns}, and {prescribed} prescribed freedoms")));
         needs.extend(matrix.iter().flat_map(|matrix| matrix.in_words(terms)));
         for pair in terms.contacts.iter().filter(|pair| !pair.points.is_empty()) {
@@ -143,6 +145,31 @@ const SHOWN: usize = 10;
 /// Memory [bytes] in words.
 fn size(bytes: usize) -> String {
     if bytes < 1_000_000 { format!("{:.1} kB", 1e-3 * bytes as f64) } else { format!("{:.1} MB", 1e-6 * bytes as f64) }
+}
+
+/// Trusses, beams and springs with what they are made of.
+fn members_in_words(terms: &Terms) -> Vec<(String, String)> {
+    let lines = terms.structure.lines.iter().map(|section| {
+        let (count, element, name) = (section.cells.len(), section.element.name(), &section.name);
+        if section.element.family() == Family::Truss {
+            return (
+                "trusses".into(),
+                format!("{count} {element} of {name}, area {} L², linear", section.profile.area),
+            );
+        }
+        let shear = section.profile.shear_factor;
+        let flexible = matches!(section.element, ElementType::B21 | ElementType::B31);
+        let shear = if flexible { format!(", shear-flexible with κ = {shear}") } else { String::new() };
+        ("beams".into(), format!("{count} {element} of {name}, linear{shear}"))
+    });
+    let springs = terms.structure.discrete.iter().filter(|section| section.element.family() == Family::Spring);
+    let springs = springs.map(|section| {
+        let (count, element, stiffness) = (section.cells.len(), section.element.name(), section.magnitude);
+        let rotation = section.element != ElementType::SPRINGA && section.components[0] > 2;
+        let dimension = if rotation { "F L" } else { "F/L" };
+        ("springs".into(), format!("{count} {element}, stiffness {stiffness} {dimension}"))
+    });
+    lines.chain(springs).collect()
 }
 
 /// A pair, its constraint and its stiffness with units.
@@ -199,6 +226,14 @@ fn leaves_out(terms: &Terms, unknowns: usize) -> Vec<String> {
     }
     if terms.contacts.iter().all(|p| p.history() == 0) {
         out.push("history: no term has a state".into());
+    }
+    for section in &terms.structure.discrete {
+        let (count, element) = (section.cells.len(), section.element.name());
+        match section.element.family() {
+            Family::Dashpot => out.push(format!("{count} {element}: dashpots have no force in a static step")),
+            Family::Mass => out.push(format!("{count} {element}: of masses a static step has the weight alone")),
+            _ => {}
+        }
     }
     if unknowns > 0 {
         out.push("stiffness of the solids per iteration: they are linear, it is assembled once".into());

@@ -72,7 +72,8 @@ fn nodal(source: &Source, set: &str, value: impl Fn(usize) -> f64) -> (Vec<u64>,
     (nodes.iter().map(|&n| mesh.point_labels[n as usize]).collect(), nodes.iter().map(vector).collect())
 }
 
-/// Stress or strain at the integration points of the cells of a set.
+/// Stress or strain at the integration points of the solids and trusses of a set; those of trusses, along the line, in the
+/// first column.
 fn elements(source: &Source, table: &Table) -> Vec<ElementRow> {
     let mesh = &source.terms.structure.mesh;
     let cells = mesh.cell_sets.get(&table.set).map_or(&[][..], Vec::as_slice);
@@ -85,6 +86,18 @@ fn elements(source: &Source, table: &Table) -> Vec<ElementRow> {
             let element = mesh.cell_label(*cell);
             let points = values[i * n..(i + 1) * n].iter().zip(1..);
             rows.extend(points.map(|(values, point)| ElementRow { element, point, values: *values }));
+        }
+    }
+    for (members, states) in
+        source.terms.members.iter().zip(&recovered.trusses).filter(|(_, states)| !states.is_empty())
+    {
+        let n = members.points();
+        for (i, cell) in members.cells().iter().enumerate().filter(|(_, cell)| cells.binary_search(cell).is_ok()) {
+            let element = mesh.cell_label(*cell);
+            for (state, point) in states[i * n..(i + 1) * n].iter().zip(1..) {
+                let value = if table.quantity == Quantity::Stress { state.stress } else { state.strain };
+                rows.push(ElementRow { element, point, values: [value, 0.0, 0.0, 0.0, 0.0, 0.0] });
+            }
         }
     }
     rows

@@ -167,8 +167,8 @@ fn sections_of_cells(terms: &Terms) -> Vec<u32> {
     let mesh = &terms.structure.mesh;
     let first = mesh.first_cells();
     let mut body = vec![0; mesh.cell_count()];
-    for (index, section) in terms.structure.sections.iter().enumerate() {
-        for cell in &section.cells {
+    for (index, cells) in terms.structure.section_cells().enumerate() {
+        for cell in cells {
             body[first[cell.block as usize] + cell.cell as usize] = index as u32;
         }
     }

@@ -6,6 +6,8 @@ use fe_contact::pair::PairDefinition;
 use fe_contact::state::ContactState;
 use fe_core::Freedoms;
 use fe_core::bodies::{Body, bodies};
+use fe_core::element::Family;
+use fe_core::member::{BadMember, Members};
 use fe_core::procedure::Converged;
 use fe_core::solid::SolidBlock;
 use fe_core::structure::Structure;
@@ -22,6 +24,8 @@ pub struct Terms {
     pub freedoms: Freedoms,
     /// One block for each section.
     pub solids: Vec<SolidBlock>,
+    /// Trusses and beams, one for each section, then springs.
+    pub members: Vec<Members>,
     /// Contact pairs, in the deck's order.
     pub contacts: Vec<Contact>,
     /// Connected bodies.
@@ -60,19 +64,21 @@ impl Terms {
         for section in &structure.sections {
             solids.push(SolidBlock::new(&structure, section, &freedoms).map_err(|e| e.to_string())?);
         }
+        let members = members(&structure, &freedoms).map_err(|e| e.to_string())?;
         let bodies = bodies(&structure, &model.references);
-        Ok(Terms { structure, freedoms, solids, contacts, bodies, notes, search_seconds })
+        Ok(Terms { structure, freedoms, solids, members, contacts, bodies, notes, search_seconds })
     }
 
     /// All terms.
     pub fn all(&self) -> Vec<&dyn Term> {
         let solids = self.solids.iter().map(|block| block as &dyn Term);
-        solids.chain(self.contacts.iter().map(|pair| pair as &dyn Term)).collect()
+        let members = self.members.iter().map(|members| members as &dyn Term);
+        solids.chain(members).chain(self.contacts.iter().map(|pair| pair as &dyn Term)).collect()
     }
 
     /// The states of all pairs.
     pub fn states(&self, at: &Converged) -> Vec<ContactState> {
-        let histories = &at.history[self.solids.len()..];
+        let histories = &at.history[self.solids.len() + self.members.len()..];
         self.contacts.iter().zip(histories).map(|(pair, history)| pair.state(&at.u, history)).collect()
     }
 
@@ -92,6 +98,13 @@ impl Terms {
             None => format!("the body of node {}", mesh.point_labels[body.nodes[0] as usize]),
         }
     }
+}
+
+/// Trusses and beams, then springs. Dashpots and masses do nothing in a static step.
+fn members(structure: &Structure, freedoms: &Freedoms) -> Result<Vec<Members>, BadMember> {
+    let lines = structure.lines.iter().map(|section| Members::lines(structure, section, freedoms));
+    let springs = structure.discrete.iter().filter(|section| section.element.family() == Family::Spring);
+    lines.chain(springs.map(|section| Members::springs(structure, section, freedoms))).collect()
 }
 
 /// A warning with the line of the pair that it is about; remarks go as they are.

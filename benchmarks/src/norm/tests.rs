@@ -11,7 +11,7 @@ fn structure(element: ElementType, mut mesh: Mesh) -> Structure {
     let section = Section { element, cells, material: 0, thickness: 1.0 };
     let elastic = Elastic { young: 1000.0, poisson: 0.25 };
     let materials = vec![Material { name: "M".into(), elastic, density: None }];
-    Structure { mesh, elements: vec![element], materials, sections: vec![section] }
+    Structure { mesh, elements: vec![element], materials, sections: vec![section], ..Structure::default() }
 }
 
 /// Distorted, so that the Jacobian varies inside the cells.

@@ -1,9 +1,10 @@
 //! Consistent nodal forces of loads: what work a load does on each shape function.
 
 use super::LoadKind;
-use crate::element::Space;
+use crate::element::{Family, Space};
 use crate::freedoms::Freedoms;
-use crate::structure::{Section, Structure};
+use crate::member::{self, BadMember};
+use crate::structure::{Discrete, LineSection, Section, Structure};
 use fe_mesh::quadrature::Rule;
 use fe_mesh::{CellId, CellKind, Face, shape};
 use std::collections::BTreeMap;
@@ -41,6 +42,9 @@ pub enum LoadError {
         /// Face, from 0.
         face: u8,
     },
+    /// A line that has no stiffness.
+    #[error("{0}")]
+    Line(#[from] BadMember),
     /// A loaded cell without element type and material.
     #[error("element {label} is loaded but has no section")]
     NoSection {
@@ -61,7 +65,15 @@ pub fn unit_forces(
             nodes.iter().try_for_each(|&n| forces.add(n, usize::from(*component), 1.0))?;
         }
         LoadKind::Pressure { faces } => faces.iter().try_for_each(|&f| forces.press(f))?,
-        LoadKind::Gravity { cells, direction } => cells.iter().try_for_each(|&c| forces.pull(c, direction))?,
+        LoadKind::Line { cells, component } => {
+            let q = std::array::from_fn(|i| if i == usize::from(*component) { 1.0 } else { 0.0 });
+            for &cell in cells {
+                let label = || structure.mesh.cell_label(cell);
+                let section = structure.line_section_of(cell);
+                forces.along(section.ok_or_else(|| LoadError::NoSection { label: label() })?, cell, q)?;
+            }
+        }
+        LoadKind::Gravity { cells, direction } => cells.iter().try_for_each(|&c| forces.weigh(c, direction))?,
     }
     Ok(forces.sum.into_iter().collect())
 }
@@ -122,6 +134,39 @@ impl Forces<'_> {
             (0..space.dimension()).try_for_each(|i| self.add(*node, i, force[i]))?;
         }
         Ok(())
+    }
+
+    /// A force per length q [F/L] on a truss or beam.
+    fn along(&mut self, section: &LineSection, cell: CellId, q: [f64; 3]) -> Result<(), LoadError> {
+        let structure = self.structure;
+        let forces = member::nodal_forces(structure, section, cell, q)?;
+        for (&node, force) in structure.mesh.cell(cell).iter().zip(forces) {
+            // What is zero needs no freedom: across the plane, and moments of trusses.
+            (0..6).filter(|&c| force[c] != 0.0).try_for_each(|c| self.add(node, c, force[c]))?;
+        }
+        Ok(())
+    }
+
+    /// Gravity on what has a mass: solids, trusses, beams and masses; springs and contact elements have none.
+    fn weigh(&mut self, cell: CellId, direction: &[f64; 3]) -> Result<(), LoadError> {
+        let structure = self.structure;
+        match structure.elements[cell.block as usize].family() {
+            Family::Solid => self.pull(cell, direction),
+            Family::Truss | Family::Beam => {
+                let label = structure.mesh.cell_label(cell);
+                let section = structure.line_section_of(cell).ok_or(LoadError::NoSection { label })?;
+                let bare = || LoadError::NoDensity { label, material: section.name.clone() };
+                let mass = section.density.ok_or_else(bare)? * section.profile.area;
+                self.along(section, cell, direction.map(|d| mass * d))
+            }
+            Family::Mass => {
+                let of_cell = |s: &&Discrete| s.cells.binary_search(&cell).is_ok();
+                let mass = structure.discrete.iter().find(of_cell).map_or(0.0, |s| s.magnitude);
+                let node = structure.mesh.cell(cell)[0];
+                (0..structure.dimension()).try_for_each(|i| self.add(node, i, mass * direction[i]))
+            }
+            Family::Spring | Family::Dashpot | Family::Gap | Family::Tube => Ok(()),
+        }
     }
 
     /// f_a = ρ ∫ N_a dV times the direction.

@@ -35,6 +35,13 @@ pub enum LoadKind {
         /// Faces.
         faces: Vec<Face>,
     },
+    /// A force per length [F/L] on trusses and beams, in direction 0..3.
+    Line {
+        /// Cells.
+        cells: Vec<CellId>,
+        /// Direction, 0..3.
+        component: u8,
+    },
     /// Gravity [L/T²] on cells, in a unit direction.
     Gravity {
         /// Cells.

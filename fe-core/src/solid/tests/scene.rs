@@ -74,7 +74,13 @@ impl Scene {
             Material { name: "M".into(), elastic: Elastic { young: 1000.0, poisson: 0.3 }, density: Some(2.0) };
         let cells = mesh.cells().collect();
         let section = Section { element, cells, material: 0, thickness: 1.0 };
-        let structure = Structure { mesh, elements: vec![element], materials: vec![material], sections: vec![section] };
+        let structure = Structure {
+            mesh,
+            elements: vec![element],
+            materials: vec![material],
+            sections: vec![section],
+            ..Structure::default()
+        };
         let freedoms = structure.freedoms(&[]);
         Scene { structure, freedoms }
     }
