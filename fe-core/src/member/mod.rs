@@ -37,7 +37,7 @@ pub enum Defect {
     #[error("has no length: its nodes are in one place")]
     NoLength,
     /// The mid node is so far out that the line folds.
-    #[error("is folded: its mid node lies in no middle")]
+    #[error("is folded: its mid node is not between its ends")]
     Folded,
     /// Axis 1 of the cross-section runs along the line.
     #[error("lies along axis 1 of its cross-section: give a direction n1 across the beam")]

@@ -24,7 +24,7 @@ pub const CLOAD: Keyword = Keyword {
 pub const DLOAD: Keyword = Keyword {
     name: "DLOAD",
     level: Level::Step,
-    summary: "pressure on faces of elements, and gravity",
+    summary: "pressure on faces of elements, force per length on trusses and beams, and gravity",
     parameters: &[OPERATION, AMPLITUDE, USER, FOLLOWER, CASES, REAL],
     data: Data::Lines(&[
         DataLine::many(&[
@@ -33,6 +33,12 @@ pub const DLOAD: Keyword = Keyword {
             Field::number("magnitude", "F/L²", "positive towards the element"),
         ])
         .when("pressure"),
+        DataLine::many(&[
+            Field::word("element or set", "label of a truss or beam, or an element set"),
+            Field::word("kind", "PX, PY or PZ: force per length along x, y or z"),
+            Field::number("magnitude", "F/L", "force per length"),
+        ])
+        .when("on lines"),
         DataLine::many(&[
             Field::word("element or set", "label of an element, or an element set").or("all elements"),
             Field::word("kind", "GRAV"),

@@ -4,9 +4,11 @@ pub mod check;
 pub mod row;
 
 mod amplitude;
+mod beam_section;
 mod boundary;
 mod contact_pair;
 pub(crate) mod controls;
+mod discrete;
 mod element;
 mod heading;
 mod idle;
@@ -44,6 +46,11 @@ pub const CARDS: &[&Keyword] = &[
     &material::ELASTIC,
     &material::DENSITY,
     &solid_section::SOLID_SECTION,
+    &beam_section::BEAM_SECTION,
+    &beam_section::BEAM_GENERAL_SECTION,
+    &discrete::SPRING,
+    &discrete::DASHPOT,
+    &discrete::MASS,
     &amplitude::AMPLITUDE,
     &surface_interaction::SURFACE_INTERACTION,
     &surface_behavior::SURFACE_BEHAVIOR,

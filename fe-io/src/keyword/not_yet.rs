@@ -5,7 +5,8 @@ pub(crate) const STATIC: &str = "static steps are there: `*STATIC`";
 const ELASTIC: &str = "isotropic elasticity is there: `*ELASTIC`";
 const PAIR: &str = "pairs of surfaces are there: `*CONTACT PAIR`";
 const FRICTIONLESS: &str = "contact is frictionless: leave the card out";
-const SOLIDS: &str = "solid elements are there: `*SOLID SECTION`";
+const SOLIDS: &str =
+    "solids and trusses are there by `*SOLID SECTION`, beams, springs and masses by cards of their names";
 const COMMON_NODES: &str = "give both bodies common nodes";
 const WRITE_NODES: &str = "write the nodes and elements out, or read a mesh by `*MESH`";
 const COLD: &str = "there are no temperatures";
@@ -150,16 +151,11 @@ pub(super) const CARDS: &[(&[&str], &str)] = &[
         &[
             "SHELL SECTION",
             "SHELL GENERAL SECTION",
-            "BEAM SECTION",
-            "BEAM GENERAL SECTION",
             "MEMBRANE SECTION",
             "SURFACE SECTION",
             "GASKET SECTION",
             "COHESIVE SECTION",
             "CONNECTOR SECTION",
-            "SPRING",
-            "DASHPOT",
-            "MASS",
             "ROTARY INERTIA",
             "JOINT",
             "HOURGLASS STIFFNESS",

@@ -3,7 +3,7 @@ use super::{Data, DataLine, Field, Keyword, Level, Parameter};
 pub const SOLID_SECTION: Keyword = Keyword {
     name: "SOLID SECTION",
     level: Level::Model,
-    summary: "gives the elements of a set their material, and plane ones their thickness",
+    summary: "gives solids and trusses their material, plane ones their thickness, trusses their area",
     parameters: &[
         Parameter::name("ELSET", "the elements").required(),
         Parameter::name("MATERIAL", "their material").required(),
@@ -12,9 +12,9 @@ pub const SOLID_SECTION: Keyword = Keyword {
         Parameter::idle("CONTROLS", "the elements have no hourglass or other controls"),
     ],
     data: Data::Lines(&[DataLine::optional(&[Field::number(
-        "thickness",
-        "L",
-        "thickness of plane elements; without effect for others",
+        "thickness or area",
+        "L or L²",
+        "thickness of plane elements, area of trusses; without effect for others",
     )
     .or("1")
     .above(0.0)])]),

@@ -7,7 +7,7 @@ use crate::deck::source::Span;
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::keyword::check::Entry;
 use fe_core::element::ElementType;
-use fe_mesh::CellId;
+use fe_mesh::{CellId, CellKind};
 
 /// Element types that decks know and this program does not.
 const NOT_YET: &[&str] = &[
@@ -138,6 +138,10 @@ impl<'a> Reading<'a> {
             diagnostics.push(fault.help("elements are not collapsed: take a type with fewer nodes"));
             scene.structure.mesh.blocks[block].nodes.truncate(start);
             return None;
+        }
+        if element.kind() == CellKind::Line3 {
+            // Decks write the mid node between the ends.
+            scene.structure.mesh.blocks[block].nodes.swap(start + 1, start + 2);
         }
         let added = register(scene, block, label, at, diagnostics);
         if added.is_none() {

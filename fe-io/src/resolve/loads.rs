@@ -9,6 +9,7 @@ use crate::deck::card::{Line, Token};
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::keyword::check::Entry;
 use crate::keyword::row::Row;
+use fe_core::element::Family;
 use fe_core::load::{Load, LoadKind};
 use fe_mesh::{CellId, Face};
 
@@ -93,6 +94,9 @@ fn on_elements(
     }
     let row = Row::read(line, line_fields(entry, 0), diagnostics);
     let (token, kind, magnitude) = (row.token(0)?, row.token(1)?, row.number(2)?);
+    if let "PX" | "PY" | "PZ" = word.as_str() {
+        return on_lines((token, kind), word.as_bytes()[1] - b'X', magnitude, scene, diagnostics);
+    }
     let face = match word.strip_prefix('P').map(str::parse::<u8>) {
         Some(Ok(n @ 1..=6)) => n - 1,
         Some(_) if word == "P" => {
@@ -101,7 +105,12 @@ fn on_elements(
             return None;
         }
         _ => {
-            diagnostics.push(unknown(kind, &word, "DLOAD", &["P1", "P2", "P3", "P4", "P5", "P6", "GRAV"]));
+            diagnostics.push(unknown(
+                kind,
+                &word,
+                "DLOAD",
+                &["P1", "P2", "P3", "P4", "P5", "P6", "PX", "PY", "PZ", "GRAV"],
+            ));
             return None;
         }
     };
@@ -110,11 +119,38 @@ fn on_elements(
     if let Some(&cell) = cells.iter().find(|&&cell| usize::from(face) >= count(cell)) {
         let label = scene.structure.mesh.cell_label(cell);
         let fault = Diagnostic::error(kind.span, format!("element {label} has no face for `{word}`"));
-        diagnostics.push(fault.label(format!("{} has P1 to P{}", scene.element_of(cell).name(), count(cell))));
+        let (element, faces) = (scene.element_of(cell), count(cell));
+        diagnostics.push(match element.family() {
+            Family::Truss | Family::Beam => fault.label("PX, PY and PZ are forces per length on trusses and beams"),
+            _ if faces == 0 => fault.label(format!("{} has no faces", element.name())),
+            _ => fault.label(format!("{} has P1 to P{faces}", element.name())),
+        });
         return None;
     }
     let faces = cells.into_iter().map(|cell| Face { cell, face }).collect();
     row.sound.then_some((LoadKind::Pressure { faces }, magnitude))
+}
+
+/// A force per length on trusses and beams.
+fn on_lines(
+    (token, kind): (Token<'_>, Token<'_>),
+    component: u8,
+    magnitude: f64,
+    scene: &Scene<'_>,
+    diagnostics: &mut Diagnostics,
+) -> Option<(LoadKind, f64)> {
+    let cells = scene.cells_of(token, diagnostics)?;
+    let line = |cell: &CellId| matches!(scene.element_of(*cell).family(), Family::Truss | Family::Beam);
+    let title = if let Some(&cell) = cells.iter().find(|cell| !line(cell)) {
+        let label = scene.structure.mesh.cell_label(cell);
+        format!("element {label} ({}) is neither truss nor beam", scene.element_of(cell).name())
+    } else if component == 2 && scene.structure.is_plane() {
+        "a force on lines of a plane model lies in its plane".into()
+    } else {
+        return Some((LoadKind::Line { cells, component }, magnitude));
+    };
+    diagnostics.push(Diagnostic::error(kind.span, title).label("a force per length"));
+    None
 }
 
 fn gravity(
@@ -123,7 +159,7 @@ fn gravity(
     scene: &Scene<'_>,
     diagnostics: &mut Diagnostics,
 ) -> Option<(LoadKind, f64)> {
-    let row = Row::read(line, line_fields(entry, 1), diagnostics);
+    let row = Row::read(line, line_fields(entry, 2), diagnostics);
     let magnitude = row.number(2).filter(|_| row.sound)?;
     let direction = [3, 4, 5].map(|i| row.number(i).unwrap_or(0.0));
     let Some(direction) = unit(direction) else {
@@ -140,13 +176,20 @@ fn gravity(
         Some(token) => scene.cells_of(token, diagnostics)?,
         None => scene.structure.mesh.cells().collect(),
     };
-    for section in &scene.structure.sections {
-        let material = &scene.structure.materials[section.material];
-        if material.density.is_none() && section.cells.iter().any(|cell| cells.binary_search(cell).is_ok()) {
-            let fault = Diagnostic::error(line.span, format!("material `{}` has no `*DENSITY`", material.name));
-            diagnostics.push(fault.label("gravity needs it"));
-            return None;
-        }
+    let pulled = |own: &[CellId]| own.iter().any(|cell| cells.binary_search(cell).is_ok());
+    let structure = &scene.structure;
+    let light = structure.sections.iter().find_map(|section| {
+        let material = &structure.materials[section.material];
+        (material.density.is_none() && pulled(&section.cells)).then_some(&material.name)
+    });
+    let light_line = structure.lines.iter().find(|section| section.density.is_none() && pulled(&section.cells));
+    if let Some(name) = light.or(light_line.map(|section| &section.name)) {
+        let title = match structure.materials.iter().any(|material| material.name == *name) {
+            true => format!("material `{name}` has no `*DENSITY`"),
+            false => format!("the section of `{name}` has no `DENSITY=`"),
+        };
+        diagnostics.push(Diagnostic::error(line.span, title).label("gravity needs it"));
+        return None;
     }
     Some((LoadKind::Gravity { cells, direction }, magnitude))
 }

@@ -1,8 +1,10 @@
 //! Cards to a model: names to indices, ranges checked. All faults of a deck are told in one run.
 
 mod amplitudes;
+mod beams;
 mod controls;
 mod cracks;
+mod discrete;
 mod elements;
 mod faces;
 mod interactions;
@@ -17,6 +19,7 @@ mod quality;
 mod requests;
 mod rigid;
 mod scene;
+mod sections;
 mod sets;
 mod steps;
 mod supports;
@@ -74,6 +77,7 @@ pub fn resolve(deck: &Deck, library: &Library) -> Result<Model, Diagnostics> {
         quality::twins(&scene, &mut diagnostics);
         cracks::tell(&scene, &contact_pairs, &mut diagnostics);
         quality::elements(&scene, &mut diagnostics);
+        quality::members(&scene, &mut diagnostics);
     }
     if diagnostics.faults() > 0 {
         return Err(diagnostics);
@@ -131,9 +135,13 @@ fn bodies(entries: &[Entry<'_>], scene: &mut Scene<'_>, diagnostics: &mut Diagno
     for entry in named(entries, &["RIGID BODY"]) {
         rigid::body(&entry, scene, diagnostics);
     }
-    quality::freedoms(scene, diagnostics);
     let materials = materials::read(&named(entries, &["MATERIAL", "ELASTIC", "DENSITY"]), scene, diagnostics);
-    materials::sections(&named(entries, &["SOLID SECTION"]), &materials, scene, diagnostics);
+    let before = diagnostics.faults();
+    let cards = sections::CARDS.iter().map(|(name, _)| *name).collect::<Vec<_>>();
+    sections::read(&named(entries, &cards), &materials, scene, diagnostics);
+    // Springs give their nodes freedoms by their sections.
+    scene.incomplete |= diagnostics.faults() > before && !scene.structure.discrete.is_empty();
+    quality::freedoms(scene, diagnostics);
 }
 
 /// Places of what a deck lacks.

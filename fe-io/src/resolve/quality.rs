@@ -3,7 +3,7 @@
 use super::scene::Scene;
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use fe_core::element::{ElementType, Family, Space};
-use fe_core::solid;
+use fe_core::{member, solid};
 use fe_mesh::CellId;
 
 /// Above this Poisson's ratio constant-strain elements are far too stiff.
@@ -95,6 +95,18 @@ pub fn twins(scene: &Scene<'_>, diagnostics: &mut Diagnostics) {
                 None => warning.label("both carry load"),
             });
         }
+    }
+}
+
+/// Lines and springs that have no stiffness.
+pub fn members(scene: &Scene<'_>, diagnostics: &mut Diagnostics) {
+    let structure = &scene.structure;
+    let lines = structure.lines.iter().map(|section| member::check(structure, section));
+    let springs = structure.discrete.iter().filter(|section| section.element == ElementType::SPRINGA);
+    let springs = springs.map(|section| member::check_springs(structure, section));
+    for bad in lines.chain(springs).filter_map(Result::err) {
+        let fault = scene.place_of(bad.cell).map(|at| Diagnostic::error(at, bad.to_string()));
+        fault.into_iter().for_each(|fault| diagnostics.push(fault));
     }
 }
 

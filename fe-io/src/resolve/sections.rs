@@ -1,0 +1,207 @@
+//! What elements have beside their nodes: `*SOLID SECTION`, `*BEAM SECTION`, `*SPRING` and their like.
+
+use super::materials::Materials;
+use super::nodes::fields;
+use super::scene::Scene;
+use super::{beams, discrete};
+use crate::deck::card::{Token, normalized};
+use crate::diagnostic::{Diagnostic, Diagnostics};
+use crate::keyword::check::Entry;
+use crate::keyword::row::Row;
+use fe_core::element::{ElementType, Family, Space};
+use fe_core::structure::{LineSection, Profile, Section};
+use fe_mesh::CellId;
+use std::collections::BTreeMap;
+
+/// The cards, and the families of elements that each is for.
+pub const CARDS: &[(&str, &[Family])] = &[
+    ("SOLID SECTION", &[Family::Solid, Family::Truss]),
+    ("BEAM SECTION", &[Family::Beam]),
+    ("BEAM GENERAL SECTION", &[Family::Beam]),
+    ("SPRING", &[Family::Spring]),
+    ("DASHPOT", &[Family::Dashpot]),
+    ("MASS", &[Family::Mass]),
+];
+
+/// Reads all of them; elements without one are told.
+pub fn read(entries: &[Entry<'_>], materials: &Materials, scene: &mut Scene<'_>, diagnostics: &mut Diagnostics) {
+    let before = diagnostics.faults();
+    let blocks = &scene.structure.mesh.blocks;
+    let mut taken: Vec<Vec<Option<u32>>> = blocks.iter().map(|block| vec![None; block.len()]).collect();
+    for (number, entry) in entries.iter().enumerate() {
+        let Some(elset) = entry.value("ELSET") else { continue };
+        let token = Token { text: &elset.text, span: elset.span };
+        let cells: Vec<CellId> = scene.cell_set(token, diagnostics).unwrap_or_default().to_vec();
+        let mut twice = None;
+        for &cell in &cells {
+            let other = &mut taken[cell.block as usize][cell.cell as usize];
+            twice = twice.or(other.map(|other| (cell, other)));
+            *other = Some(number as u32);
+        }
+        if let Some((cell, other)) = twice {
+            let label = scene.structure.mesh.cell_label(cell);
+            let fault = Diagnostic::error(elset.span, format!("element {label} has two sections"));
+            diagnostics.push(fault.related(entries[other as usize].card.span, "the other one"));
+        }
+        let of_type = by_type(&cells, scene);
+        if suited(entry, token, &of_type, scene, diagnostics) {
+            section(entry, of_type, materials, scene, diagnostics);
+        }
+    }
+    // A faulty section may be the one that is missing.
+    let incomplete = |entry: &Entry<'_>| entry.keyword.parameters.iter().any(|p| p.required && !entry.has(p.name));
+    if diagnostics.faults() > before || entries.iter().any(incomplete) {
+        return;
+    }
+    for (block, taken) in taken.iter().enumerate() {
+        missing(block, taken, scene, diagnostics);
+    }
+}
+
+/// The cells of each element type.
+pub type ByType = BTreeMap<ElementType, Vec<CellId>>;
+
+fn by_type(cells: &[CellId], scene: &Scene<'_>) -> ByType {
+    let mut of_type = ByType::new();
+    for &cell in cells {
+        of_type.entry(scene.element_of(cell)).or_default().push(cell);
+    }
+    of_type
+}
+
+/// True when the card is for these elements; the first that it is not for is told.
+fn suited(
+    entry: &Entry<'_>,
+    elset: Token<'_>,
+    of_type: &ByType,
+    scene: &Scene<'_>,
+    diagnostics: &mut Diagnostics,
+) -> bool {
+    let name = entry.keyword.name;
+    let families = CARDS.iter().find(|(card, _)| *card == name).map_or(&[][..], |(_, families)| families);
+    let Some((element, cells)) = of_type.iter().find(|(element, _)| !families.contains(&element.family())) else {
+        return true;
+    };
+    let (label, (card, _)) = (scene.structure.mesh.cell_label(cells[0]), card_of(*element));
+    let title = format!("`*{name}` is not for {} elements such as {label}", element.name());
+    diagnostics.push(Diagnostic::error(elset.span, title).label(format!("they have `*{card}`")));
+    false
+}
+
+fn section(
+    entry: &Entry<'_>,
+    of_type: ByType,
+    materials: &Materials,
+    scene: &mut Scene<'_>,
+    diagnostics: &mut Diagnostics,
+) {
+    match entry.keyword.name {
+        "SOLID SECTION" => {
+            let material = material(entry, materials, diagnostics);
+            let measure = measure(entry, &of_type, scene, diagnostics);
+            if let (Some(material), Some(measure)) = (material, measure) {
+                add(material, measure, of_type, scene);
+            }
+        }
+        "BEAM SECTION" => {
+            let material = material(entry, materials, diagnostics);
+            beams::read(entry, material, of_type, scene, diagnostics);
+        }
+        "BEAM GENERAL SECTION" => beams::read_general(entry, of_type, scene, diagnostics),
+        _ => discrete::read(entry, of_type, scene, diagnostics),
+    }
+}
+
+/// Index of the material of a card; `None` when it is not there, which is told, or faulty, which was told.
+fn material(entry: &Entry<'_>, materials: &Materials, diagnostics: &mut Diagnostics) -> Option<usize> {
+    let value = entry.value("MATERIAL")?;
+    let name = normalized(&value.text);
+    let known = materials.get(&name);
+    if known.is_none() {
+        let fault = Diagnostic::error(value.span, format!("there is no material `{name}`"));
+        diagnostics.push(fault.known(&name, materials.keys().map(String::as_str)));
+    }
+    *known?
+}
+
+/// Thickness [L] or area [L²] of the data line; `None` when it is faulty.
+fn measure(entry: &Entry<'_>, of_type: &ByType, scene: &Scene<'_>, diagnostics: &mut Diagnostics) -> Option<f64> {
+    let Some(line) = scene.deck.lines(entry.card).next() else { return Some(1.0) };
+    let row = Row::read(line, fields(entry), diagnostics);
+    if let Some(element) = of_type.keys().next()
+        && row.sound
+        && row.token(0).is_some()
+        && !of_type.keys().any(|element| is_thick(*element) || element.family() == Family::Truss)
+    {
+        let note = Diagnostic::note(line.span, format!("{} elements have no thickness", element.name()));
+        diagnostics.push(note.label("without effect"));
+    }
+    row.sound.then(|| row.number(0).unwrap_or(1.0))
+}
+
+fn is_thick(element: ElementType) -> bool {
+    matches!(element.space(), Space::PlaneStrain | Space::PlaneStress)
+}
+
+/// One section for each element type of a set.
+fn add(material: usize, measure: f64, of_type: ByType, scene: &mut Scene<'_>) {
+    for (element, cells) in of_type {
+        if element.family() == Family::Solid {
+            let thickness = if is_thick(element) { measure } else { 1.0 };
+            scene.structure.sections.push(Section { element, cells, material, thickness });
+        } else {
+            let profile = Profile::bar(measure);
+            scene.structure.lines.push(line_section(element, cells, material, profile, scene));
+        }
+    }
+}
+
+/// A section of trusses or beams of a material.
+pub fn line_section(
+    element: ElementType,
+    cells: Vec<CellId>,
+    material: usize,
+    profile: Profile,
+    scene: &Scene<'_>,
+) -> LineSection {
+    let material = &scene.structure.materials[material];
+    LineSection {
+        element,
+        cells,
+        name: material.name.clone(),
+        young: material.elastic.young,
+        shear: material.elastic.mu(),
+        density: material.density,
+        profile,
+        first_axis: beams::FIRST_AXIS,
+    }
+}
+
+fn missing(block: usize, taken: &[Option<u32>], scene: &Scene<'_>, diagnostics: &mut Diagnostics) {
+    let bare: Vec<usize> = (0..taken.len()).filter(|&i| taken[i].is_none()).collect();
+    let Some(&first) = bare.first() else { return };
+    let cell = CellId { block: block as u32, cell: first as u32 };
+    let (label, element) = (scene.structure.mesh.cell_label(cell), scene.element_of(cell));
+    let (name, (card, parameters)) = (element.name(), card_of(element));
+    let title = match bare.len() {
+        1 => format!("element {label} ({name}) has no `*{card}`"),
+        n => format!("{n} elements ({name}) have no `*{card}`, the first is {label}"),
+    };
+    if let Some(at) = scene.place_of(cell) {
+        let fault = Diagnostic::error(at, title);
+        diagnostics.push(fault.help(format!("write `*{card}, {parameters}` for a set that holds them")));
+    }
+}
+
+/// The card that gives elements of a type what they need beside their nodes, and its parameters.
+fn card_of(element: ElementType) -> (&'static str, &'static str) {
+    match element.family() {
+        Family::Solid | Family::Truss => ("SOLID SECTION", "ELSET=…, MATERIAL=…"),
+        Family::Beam => ("BEAM SECTION", "ELSET=…, MATERIAL=…, SECTION=…"),
+        Family::Spring => ("SPRING", "ELSET=…"),
+        Family::Dashpot => ("DASHPOT", "ELSET=…"),
+        Family::Mass => ("MASS", "ELSET=…"),
+        Family::Gap => ("GAP", "ELSET=…"),
+        Family::Tube => ("INTERFACE", "ELSET=…"),
+    }
+}
