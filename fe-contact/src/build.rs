@@ -2,6 +2,7 @@
 
 use crate::carry::{Carried, Ground, NoStiffness};
 use crate::closest::EXTENSION;
+use crate::conditions::Conditions;
 use crate::contact::Contact;
 use crate::enforce::TOUCH;
 use crate::error::PairError;
@@ -102,6 +103,7 @@ impl Contact {
             reference: reference.map(|n| (n, place(&n).map(|f| freedoms.component(f)).collect())),
             points,
             sides,
+            conditions: Conditions::default(),
         })
     }
 }

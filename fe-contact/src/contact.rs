@@ -1,5 +1,6 @@
 //! Contact as a term: points that share a law, however they were found.
 
+use crate::conditions::Conditions;
 use crate::enforce::Multipliers;
 use crate::facet::Vec3;
 use crate::law::NormalLaw;
@@ -39,6 +40,8 @@ pub struct Contact {
     pub(crate) positions: BTreeMap<u32, Vec3>,
     /// Components of the reference node of a rigid main side.
     pub(crate) reference: Option<(u32, Vec<usize>)>,
+    /// What the present step says of it.
+    pub(crate) conditions: Conditions,
 }
 
 impl Contact {
@@ -80,6 +83,18 @@ impl Contact {
     /// True when the main side is an analytical rigid surface: nothing was searched.
     pub fn has_rigid_main(&self) -> bool {
         self.reference.is_some()
+    }
+
+    /// Forces [F] that it puts on the freedoms at a displacement; a freedom may be there more than once.
+    pub fn force(&self, u: &[f64], history: &[f64]) -> Vec<(usize, f64)> {
+        let of_point = |i: usize| {
+            let here = self.at(i, u);
+            let (answer, _) = self.answer(i, here.gap, history, self.is_held(i, history));
+            let force = answer.pressure * self.points[i].measure.value();
+            let freedoms = self.places[i].iter().cloned().flatten();
+            here.row.iter().zip(freedoms).map(|(d, f)| (f, force * d)).collect::<Vec<_>>()
+        };
+        (0..self.points.len()).flat_map(of_point).filter(|(_, force)| *force != 0.0).collect()
     }
 
     /// Largest number of freedoms that one point couples.

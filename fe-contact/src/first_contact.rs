@@ -137,7 +137,7 @@ impl RigidContact {
 }
 
 fn every_point(pairs: &[Contact]) -> Vec<(&Contact, usize)> {
-    pairs.iter().flat_map(|pair| (0..pair.points.len()).map(move |i| (pair, i))).collect()
+    pairs.iter().filter(|pair| pair.acts()).flat_map(|pair| (0..pair.points.len()).map(move |i| (pair, i))).collect()
 }
 
 #[cfg(test)]

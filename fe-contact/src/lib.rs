@@ -7,6 +7,7 @@ pub mod adjust;
 mod build;
 mod carry;
 pub mod closest;
+pub mod conditions;
 pub mod contact;
 mod enforce;
 pub mod error;

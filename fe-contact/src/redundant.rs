@@ -21,12 +21,12 @@ pub struct Redundant {
 /// that have a prescribed freedom, or a node that is secondary in another contact, too.
 pub fn redundant(contacts: &[Contact], u: &[f64], fixed: &[bool]) -> Vec<Redundant> {
     let mut secondary: BTreeMap<u32, BTreeSet<usize>> = BTreeMap::new();
-    for (k, contact) in contacts.iter().enumerate().filter(|(_, c)| c.multipliers.is_some()) {
+    for (k, contact) in contacts.iter().enumerate().filter(|(_, c)| c.acts() && c.multipliers.is_some()) {
         contact.points.iter().for_each(|p| _ = secondary.entry(p.node).or_default().insert(k));
     }
     let mut eliminated = Eliminated::default();
     let mut found = Vec::new();
-    for (k, contact) in contacts.iter().enumerate().filter(|(_, c)| c.multipliers.is_some()) {
+    for (k, contact) in contacts.iter().enumerate().filter(|(_, c)| c.acts() && c.multipliers.is_some()) {
         let elsewhere = |n: &u32| secondary.get(n).is_some_and(|of| of.iter().any(|&other| other != k));
         for (i, point) in contact.points.iter().enumerate() {
             let here = contact.at(i, u);
@@ -58,7 +58,8 @@ pub struct Contradiction {
 /// The deepest point that no free freedom can move and that overlaps at `u`.
 pub fn contradiction(contacts: &[Contact], u: &[f64], fixed: &[bool]) -> Option<Contradiction> {
     let mut deepest: Option<Contradiction> = None;
-    for (k, contact) in contacts.iter().enumerate().filter(|(_, c)| c.multipliers.is_some_and(|m| m.allowed.is_none()))
+    for (k, contact) in
+        contacts.iter().enumerate().filter(|(_, c)| c.acts() && c.multipliers.is_some_and(|m| m.allowed.is_none()))
     {
         let reach = contact.law.reach();
         for (i, point) in contact.points.iter().enumerate() {

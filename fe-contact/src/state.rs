@@ -87,7 +87,11 @@ impl Contact {
         for (i, p) in self.points.iter().enumerate() {
             let here = self.at(i, u);
             let opening = here.gap;
-            let (answer, status) = self.answer(i, opening, history, self.is_held(i, history));
+            let (answer, status) = if self.acts() {
+                self.answer(i, opening, history, self.is_held(i, history))
+            } else {
+                Default::default()
+            };
             let force = answer.pressure * p.measure.value();
             state.points.push(PointState {
                 node: p.node,
@@ -96,7 +100,9 @@ impl Contact {
                 status,
                 measure: p.measure,
             });
-            keep_larger(&mut state.largest_overclosure, p.node, -opening);
+            if self.acts() {
+                keep_larger(&mut state.largest_overclosure, p.node, -opening);
+            }
             if !self.no_separation {
                 keep_larger(&mut state.largest_tension, p.node, -answer.pressure);
             }

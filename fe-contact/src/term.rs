@@ -101,7 +101,9 @@ impl Term for Contact {
     }
 
     fn couplings(&self, couplings: &mut Couplings) {
-        self.points.iter().for_each(|p| couplings.add(&p.nodes));
+        if self.acts() {
+            self.points.iter().for_each(|p| couplings.add(&p.nodes));
+        }
     }
 
     fn history(&self) -> usize {
@@ -109,10 +111,18 @@ impl Term for Contact {
     }
 
     fn augment(&self, at: Equilibrium, old: &[f64], new: &mut [f64]) -> Option<Overlap> {
-        self.take_multipliers(at, old, new)
+        if self.acts() { self.take_multipliers(at, old, new) } else { None }
+    }
+
+    /// A removed contact is nothing at all.
+    fn is_linear(&self) -> bool {
+        !self.acts()
     }
 
     fn evaluate(&self, at: Motion, old: &[f64], new: &mut [f64], out: &mut Assembly) -> Result<(), Reject> {
+        if !self.acts() {
+            return Ok(());
+        }
         let blocks = out.stiffness.as_deref().map(|k| self.blocks(&k.pattern));
         for (i, p) in self.points.iter().enumerate() {
             let here = self.at(i, at.u);
@@ -144,6 +154,9 @@ impl Term for Contact {
     }
 
     fn stiffen(&self, u: &[f64], stiffness: &mut BlockMatrix) -> bool {
+        if !self.acts() {
+            return false;
+        }
         let blocks = self.blocks(&stiffness.pattern);
         let mut done = false;
         for (i, p) in self.points.iter().enumerate() {

@@ -1,5 +1,6 @@
 //! What a deck describes, resolved: plain data, also built by programs that bring no deck.
 
+use fe_contact::conditions::Conditions;
 use fe_contact::interaction::Interaction;
 use fe_contact::pair::PairDefinition;
 use fe_core::amplitude::Amplitude;
@@ -64,6 +65,8 @@ pub struct Step {
     pub nodal_loads: Changes<Load>,
     /// `*DLOAD` and `*DSLOAD`.
     pub distributed_loads: Changes<Load>,
+    /// What the step says of each contact, in the order of [`Model::pairs`]; of those that are not listed, nothing.
+    pub conditions: Vec<Conditions>,
     /// Requests in force (those of earlier steps included where the step has no card of the same kind).
     pub output: Output,
 }

@@ -32,7 +32,8 @@ pub fn free_bodies(
         let motions = body.free_motions(structure, freedoms, fixed);
         if !motions.is_empty() {
             let has = |n: &u32| body.nodes.binary_search(n).is_ok();
-            let touched = pairs.iter().any(|pair| pair.points.iter().any(|p| p.nodes.iter().any(has)));
+            let touched =
+                pairs.iter().filter(|pair| pair.acts()).any(|pair| pair.points.iter().any(|p| p.nodes.iter().any(has)));
             free.push(FreeBody { body: index, motions, touched });
         }
     }

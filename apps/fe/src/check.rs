@@ -10,7 +10,6 @@ use crate::recorder::chosen_fields;
 use crate::terms::Terms;
 use fe_core::linear::LinearSolver;
 use fe_core::linear::multifrontal::Multifrontal;
-use fe_core::procedure::Converged;
 use fe_io::{Deck, Library, Model, resolve};
 use std::fmt::Write;
 use std::path::Path;
@@ -19,7 +18,7 @@ use std::path::Path;
 pub fn check(deck: &Path, library: &Library) -> Result<String, JobFailure> {
     let cards = Deck::read(deck).map_err(|faults| JobFailure::Deck(faults.to_string()))?;
     let model = resolve(&cards, library).map_err(|faults| JobFailure::Deck(faults.to_string()))?;
-    let terms = Terms::new(&model).map_err(JobFailure::Deck)?;
+    let mut terms = Terms::new(&model).map_err(JobFailure::Deck)?;
     let mesh = &terms.structure.mesh;
     let mut text = String::new();
     let (nodes, cells, bodies) = (mesh.points.len(), mesh.cell_count(), terms.bodies.len());
@@ -28,12 +27,12 @@ pub fn check(deck: &Path, library: &Library) -> Result<String, JobFailure> {
     model.notes.iter().chain(&terms.notes).for_each(|note| {
         let _ = writeln!(text, "{}", crate::console::remark(note));
     });
-    let n = terms.freedoms.len();
     let _ = writeln!(text, "{}", results_in_words(&model, &terms));
-    let rest = Converged { u: vec![0.0; n], residual: vec![0.0; n], external: vec![0.0; n], ..Converged::default() };
+    let mut rest = terms.rest();
     let mut course = Course::new(&model);
     for (index, step) in model.steps.iter().enumerate() {
-        let scene = enter(&model, &terms, index, &mut course, &rest)?;
+        let released = terms.enter(step, &mut rest);
+        let scene = enter(&model, &terms, (index, released), &mut course, &rest)?;
         let free = scene.free();
         let fixed: Vec<bool> = free.iter().map(|f| !f).collect();
         let matrix = free.contains(&true).then(|| {

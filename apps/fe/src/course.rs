@@ -51,13 +51,17 @@ impl Course {
             self.support(initial, freedoms, at);
         }
         self.support(&step.supports.items, freedoms, at);
-        for f in before.into_iter().filter(|f| !self.supports.contains_key(f)) {
-            self.released.push((f, Ramp { from: at.residual[f], to: 0.0, amplitude: None }));
-        }
+        let free = before.into_iter().filter(|f| !self.supports.contains_key(f));
+        self.release(free.map(|f| (f, at.residual[f])).collect());
         let amplitudes = &self.amplitudes;
         self.nodal = change(std::mem::take(&mut self.nodal), &step.nodal_loads, amplitudes);
         self.distributed = change(std::mem::take(&mut self.distributed), &step.distributed_loads, amplitudes);
         self.end = (step.increments.period, at.total_time + step.increments.period, step.increments.period);
+    }
+
+    /// Forces [F], by freedom, that ramp to zero over the step just entered.
+    pub fn release(&mut self, forces: Vec<(usize, f64)>) {
+        self.released.extend(forces.into_iter().map(|(f, from)| (f, Ramp { from, to: 0.0, amplitude: None })));
     }
 
     /// At the end of a step: values without a course in total time stay where they are.

@@ -87,19 +87,13 @@ fn spare_sources(job: &Path, cards: &Deck) -> Result<(), JobFailure> {
 /// Runs a model; results are named after `job`, with other endings. `read` are the seconds spent on reading.
 pub fn run_model(model: &Model, job: &Path, read: f64, observer: &mut dyn Observer) -> Result<Report, JobFailure> {
     let start = Instant::now();
-    let terms = Terms::new(model).map_err(JobFailure::Deck)?;
+    let mut terms = Terms::new(model).map_err(JobFailure::Deck)?;
     model.notes.iter().chain(&terms.notes).for_each(|note| observer.event(Event::Note(note)));
     let mut recorder = Recorder::create(job, model, &terms)?;
-    let mut at = Converged {
-        u: vec![0.0; terms.freedoms.len()],
-        residual: vec![0.0; terms.freedoms.len()],
-        external: vec![0.0; terms.freedoms.len()],
-        history: terms.all().iter().map(|term| vec![0.0; term.history()]).collect(),
-        ..Converged::default()
-    };
+    let mut at = terms.rest();
     recorder.start(&terms, &at)?;
     let mut certificate = RunCertificate::default();
-    let ended = steps(model, &terms, &mut at, &mut certificate, (&mut *observer, &mut recorder));
+    let ended = steps(model, &mut terms, &mut at, &mut certificate, (&mut *observer, &mut recorder));
     certificate.seconds.read = read;
     certificate.seconds.search = terms.search_seconds;
     certificate.seconds.write = recorder.seconds();
@@ -117,7 +111,7 @@ pub fn run_model(model: &Model, job: &Path, read: f64, observer: &mut dyn Observ
 /// All steps, one after the other; `at` is the last converged state, also where a step fails.
 fn steps(
     model: &Model,
-    terms: &Terms,
+    terms: &mut Terms,
     at: &mut Converged,
     certificate: &mut RunCertificate,
     (observer, recorder): (&mut dyn Observer, &mut Recorder),
@@ -125,7 +119,8 @@ fn steps(
     let mut course = Course::new(model);
     for (index, step) in model.steps.iter().enumerate() {
         let number = index + 1;
-        StepRun { model, terms, step, number, observer, recorder }.run(&mut course, at, certificate)?;
+        let released = terms.enter(step, at);
+        StepRun { model, terms, released, step, number, observer, recorder }.run(&mut course, at, certificate)?;
     }
     Ok(())
 }
@@ -135,6 +130,8 @@ struct StepRun<'a, 'o> {
     model: &'a Model,
     terms: &'a Terms,
     step: &'a Step,
+    /// Forces [F] of contacts that it removes, by freedom.
+    released: Vec<(usize, f64)>,
     number: usize,
     observer: &'o mut dyn Observer,
     recorder: &'o mut Recorder,
@@ -147,7 +144,8 @@ impl StepRun<'_, '_> {
         at: &mut Converged,
         certificate: &mut RunCertificate,
     ) -> Result<(), JobFailure> {
-        let scene = enter(self.model, self.terms, self.number - 1, course, at)?;
+        let released = std::mem::take(&mut self.released);
+        let scene = enter(self.model, self.terms, (self.number - 1, released), course, at)?;
         let fixed: Vec<bool> = scene.free().iter().map(|f| !f).collect();
         let free =
             free_bodies(&self.terms.structure, &self.terms.freedoms, &self.terms.bodies, &fixed, &self.terms.contacts);
@@ -325,17 +323,19 @@ impl StepRun<'_, '_> {
     }
 }
 
-/// The scene of a step: what acts in it, from the state that it starts with.
+/// The scene of a step, by its index: what acts in it, from the state that it starts with. `released` are the forces [F]
+/// of contacts that it removes.
 pub fn enter<'a>(
     model: &Model,
     terms: &'a Terms,
-    index: usize,
+    (index, released): (usize, Vec<(usize, f64)>),
     course: &mut Course,
     at: &Converged,
 ) -> Result<Scene<'a>, JobFailure> {
     let step = &model.steps[index];
     let initial: &[_] = if index == 0 { &model.supports } else { &[] };
     course.enter(initial, step, &terms.freedoms, at);
+    course.release(released);
     let external = course
         .external(&terms.structure, &terms.freedoms)
         .map_err(|error| JobFailure::Deck(format!("{}:{}: {error}", step.place.file, step.place.line)))?;

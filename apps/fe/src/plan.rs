@@ -95,7 +95,7 @@ impl Plan {
         needs.extend(members_in_words(terms));
         needs.push(("unknowns".into(), format!("{unknowns}, and {prescribed} prescribed freedoms")));
         needs.extend(matrix.iter().flat_map(|matrix| matrix.in_words(terms)));
-        for pair in terms.contacts.iter().filter(|pair| !pair.points.is_empty()) {
+        for pair in terms.contacts.iter().filter(|pair| pair.acts() && !pair.points.is_empty()) {
             needs.push(("contact pair".into(), pair_in_words(pair)));
         }
         needs.extend(over_constraint(terms, u, fixed).map(|words| ("over-constraint".into(), words)));
@@ -211,9 +211,12 @@ fn leaves_out(terms: &Terms, unknowns: usize) -> Vec<String> {
         out.push("matrix and solver: every freedom is prescribed".into());
     }
     let (met, idle): (Vec<&Contact>, Vec<&Contact>) = terms.contacts.iter().partition(|pair| !pair.points.is_empty());
+    let (met, removed): (Vec<&Contact>, Vec<&Contact>) = met.into_iter().partition(|pair| pair.acts());
+    out.extend(removed.iter().map(|pair| format!("contact of {}: removed", pair.name())));
     out.extend(idle.iter().map(|pair| format!("contact of {}: no part of them faces the other", pair.name())));
     if met.is_empty() {
-        out.push("contact: no pair".into());
+        let none = if terms.contacts.is_empty() { "no pair" } else { "no pair acts" };
+        out.push(format!("contact: {none}"));
     } else {
         if met.iter().all(|p| p.summary().searched.is_none()) {
             out.push("contact search: every main surface is rigid".into());

@@ -2,6 +2,7 @@
 
 use fe_contact::Contact;
 use fe_contact::adjust::{Moved, adjust};
+use fe_contact::conditions::{Activity, Conditions};
 use fe_contact::pair::PairDefinition;
 use fe_contact::state::ContactState;
 use fe_core::Freedoms;
@@ -13,6 +14,7 @@ use fe_core::solid::SolidBlock;
 use fe_core::structure::Structure;
 use fe_core::term::Term;
 use fe_io::Model;
+use fe_io::model::Step;
 use std::sync::Arc;
 use std::time::Instant;
 
@@ -67,6 +69,29 @@ impl Terms {
         let members = members(&structure, &freedoms).map_err(|e| e.to_string())?;
         let bodies = bodies(&structure, &model.references);
         Ok(Terms { structure, freedoms, solids, members, contacts, bodies, notes, search_seconds })
+    }
+
+    /// The state before the first step.
+    pub fn rest(&self) -> Converged {
+        let n = self.freedoms.len();
+        let history = self.all().iter().map(|term| vec![0.0; term.history()]).collect();
+        Converged { u: vec![0.0; n], residual: vec![0.0; n], external: vec![0.0; n], history, ..Converged::default() }
+    }
+
+    /// Enters a step: what it says of each contact holds from now on. The forces [F] of contacts that it removes come back,
+    /// by freedom, as they act in the state `at`.
+    pub fn enter(&mut self, step: &Step, at: &mut Converged) -> Vec<(usize, f64)> {
+        let mut released = Vec::new();
+        let histories = &mut at.history[self.solids.len() + self.members.len()..];
+        let nothing = Conditions::default();
+        for (k, (contact, history)) in self.contacts.iter_mut().zip(histories).enumerate() {
+            let conditions = step.conditions.get(k).unwrap_or(&nothing);
+            if contact.acts() && conditions.activity == Activity::Removed {
+                released.extend(contact.force(&at.u, history));
+            }
+            contact.enter(conditions, history);
+        }
+        released
     }
 
     /// All terms.

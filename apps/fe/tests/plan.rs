@@ -10,7 +10,6 @@ use fe::course::Course;
 use fe::job::enter;
 use fe::terms::Terms;
 use fe_core::linear::multifrontal::Multifrontal;
-use fe_core::procedure::Converged;
 use fe_core::procedure::static_general::StaticGeneral;
 use fe_io::{Deck, Model, resolve};
 use std::path::{Path, PathBuf};
@@ -83,10 +82,10 @@ struct Begun {
 
 fn begun(name: &str) -> Begun {
     let model = model(name);
-    let terms = Terms::new(&model).unwrap();
-    let n = terms.freedoms.len();
-    let rest = Converged { u: vec![0.0; n], residual: vec![0.0; n], external: vec![0.0; n], ..Converged::default() };
-    let scene = enter(&model, &terms, 0, &mut Course::new(&model), &rest).unwrap();
+    let mut terms = Terms::new(&model).unwrap();
+    let mut rest = terms.rest();
+    let released = terms.enter(&model.steps[0], &mut rest);
+    let scene = enter(&model, &terms, (0, released), &mut Course::new(&model), &rest).unwrap();
     let fixed: Vec<bool> = scene.free().iter().map(|f| !f).collect();
     let free = free_bodies(&terms.structure, &terms.freedoms, &terms.bodies, &fixed, &terms.contacts).len();
     let procedure = StaticGeneral::new(scene, model.steps[0].controls, Box::<Multifrontal>::default()).unwrap();

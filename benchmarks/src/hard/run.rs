@@ -142,7 +142,11 @@ impl Run {
     pub fn solved(&self) -> Option<Solved> {
         let report = self.ended.as_ref().ok()?;
         let model = resolve(&Deck::read(&self.deck).ok()?, &standard()).ok()?;
-        let terms = Terms::new(&model).ok()?;
+        let mut terms = Terms::new(&model).ok()?;
+        let mut rest = terms.rest();
+        for step in &model.steps {
+            terms.enter(step, &mut rest);
+        }
         let pairs = terms.states(&report.last);
         Some(Solved { terms, pairs, u: report.last.u.clone(), forces: report.last.residual.clone() })
     }

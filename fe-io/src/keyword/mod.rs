@@ -15,6 +15,7 @@ mod idle;
 mod loads;
 mod material;
 mod mesh;
+mod model_change;
 mod node;
 mod not_yet;
 mod output;
@@ -59,6 +60,7 @@ pub const CARDS: &[&Keyword] = &[
     &step::STEP,
     &procedure::STATIC,
     &controls::CONTROLS,
+    &model_change::MODEL_CHANGE,
     &loads::CLOAD,
     &loads::DLOAD,
     &loads::DSLOAD,

@@ -14,7 +14,6 @@ const SUPPORTS: &str = "prescribe displacements by `*BOUNDARY`";
 const FLAT: &str = "write nodes, elements and sets once each, without parts";
 const AT_REST: &str = "a job begins at rest and without stress";
 const TABLES: &str = "`*NODE PRINT`, `*EL PRINT` and `*CONTACT PRINT` are there";
-const WHOLE: &str = "all elements and pairs act in all steps";
 const GLOBAL: &str = "coordinates and directions are those of the global axes";
 
 /// Names of cards, and what there is instead.
@@ -146,7 +145,6 @@ pub(super) const CARDS: &[(&[&str], &str)] = &[
         ],
         "a law of `*SURFACE BEHAVIOR` is there",
     ),
-    (&["MODEL CHANGE"], WHOLE),
     (
         &[
             "SHELL SECTION",

@@ -2,6 +2,7 @@
 
 mod amplitudes;
 mod beams;
+mod conditions;
 mod controls;
 mod cracks;
 mod discrete;
@@ -24,6 +25,7 @@ mod sets;
 mod steps;
 mod supports;
 mod surfaces;
+mod which_pair;
 
 use crate::deck::Deck;
 use crate::deck::source::Span;

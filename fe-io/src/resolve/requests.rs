@@ -1,6 +1,7 @@
 //! What a step prints and stores.
 
 use super::scene::{Scene, set};
+use super::which_pair;
 use crate::deck::card::{Token, normalized};
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::keyword::check::Entry;
@@ -208,7 +209,7 @@ fn tables_of(
         _ => &["CSTRESS", "CDISP", "CF", "CFN", "CFS"],
     };
     let Some(set) = set_name(entry, scene, diagnostics) else { return Vec::new() };
-    let pair = pair(entry, pairs, diagnostics);
+    let pair = which_pair::of_parameters(entry, pairs, diagnostics);
     let frequency = entry.whole("FREQUENCY").map_or(1, |n| n as usize);
     let totals = match entry.name("TOTALS").as_deref() {
         Some("YES") => Totals::Yes,
@@ -283,25 +284,4 @@ fn set_name(entry: &Entry<'_>, scene: &mut Scene<'_>, diagnostics: &mut Diagnost
         _ => scene.cell_set(token, diagnostics).is_some(),
     };
     there.then(|| normalized(&value.text))
-}
-
-/// The pair of `MAIN=` and `SECONDARY=`, an index into the model's pairs.
-fn pair(entry: &Entry<'_>, pairs: &[(PairDefinition, Place)], diagnostics: &mut Diagnostics) -> Option<usize> {
-    let (main, secondary) = (entry.value("MAIN"), entry.value("SECONDARY"));
-    let (Some(main), Some(secondary)) = (main, secondary) else {
-        if let Some(one) = main.or(secondary) {
-            diagnostics.push(Diagnostic::error(one.span, "`MAIN` and `SECONDARY` are given both or not at all"));
-        }
-        return None;
-    };
-    let names = [normalized(&secondary.text), normalized(&main.text)];
-    let found = pairs.iter().position(|(p, _)| p.secondary_name == names[0] && p.main_name == names[1]);
-    if found.is_none() && diagnostics.faults() == 0 {
-        let title = format!("there is no contact pair of `{}` and `{}`", names[0], names[1]);
-        let there: Vec<String> =
-            pairs.iter().map(|(p, _)| format!("SECONDARY={}, MAIN={}", p.secondary_name, p.main_name)).collect();
-        let fault = Diagnostic::error(secondary.span, title);
-        diagnostics.push(fault.known("", there.iter().map(String::as_str)));
-    }
-    found
 }

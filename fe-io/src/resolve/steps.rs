@@ -4,7 +4,7 @@ use super::amplitudes::Amplitudes;
 use super::requests::Requests;
 use super::scene::Scene;
 use super::supports::Supports;
-use super::{controls, loads};
+use super::{conditions, controls, loads};
 use crate::deck::source::Span;
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::keyword::check::Entry;
@@ -22,6 +22,7 @@ const MOST_INCREMENTS: usize = 100;
 pub struct InForce {
     controls: Controls,
     requests: Requests,
+    conditions: conditions::InForce,
 }
 
 /// What steps refer to.
@@ -62,6 +63,7 @@ pub fn read(
                 }
             }
             "CONTROLS" => controls::read(entry, scene.deck, &mut in_force.controls, diagnostics),
+            "MODEL CHANGE" => in_force.conditions.change(entry, scene.deck, named.pairs, diagnostics),
             "BOUNDARY" => supports.read(entry, scene, named.amplitudes, diagnostics),
             "CLOAD" => loads[0].extend(loads::read(entry, scene, named.amplitudes, diagnostics)),
             "DLOAD" | "DSLOAD" => loads[1].extend(loads::read(entry, scene, named.amplitudes, diagnostics)),
@@ -86,6 +88,7 @@ pub fn read(
             replace: replaces(rest, &["DLOAD", "DSLOAD"], diagnostics),
             items: distributed_loads,
         },
+        conditions: in_force.conditions.conditions(),
         output: in_force.requests.in_force(),
     })
 }

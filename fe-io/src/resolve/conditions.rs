@@ -1,0 +1,72 @@
+//! What steps say of contacts: cards that hold until a later step says otherwise.
+
+use super::nodes::fields;
+use super::which_pair;
+use crate::deck::Deck;
+use crate::diagnostic::{Diagnostic, Diagnostics};
+use crate::keyword::check::Entry;
+use crate::keyword::row::Row;
+use crate::model::Place;
+use fe_contact::conditions::{Activity, Conditions};
+use fe_contact::pair::PairDefinition;
+
+/// The conditions in force, one for each contact pair once a step has said something of one.
+#[derive(Clone, Debug, Default)]
+pub struct InForce {
+    conditions: Vec<Conditions>,
+}
+
+impl InForce {
+    /// What holds after the cards of a step.
+    pub fn conditions(&self) -> Vec<Conditions> {
+        self.conditions.clone()
+    }
+
+    fn of(&mut self, pair: usize) -> &mut Conditions {
+        if self.conditions.len() <= pair {
+            self.conditions.resize_with(pair + 1, Conditions::default);
+        }
+        &mut self.conditions[pair]
+    }
+
+    /// `*MODEL CHANGE`.
+    pub fn change(
+        &mut self,
+        entry: &Entry<'_>,
+        deck: &Deck,
+        pairs: &[(PairDefinition, Place)],
+        diagnostics: &mut Diagnostics,
+    ) {
+        let (remove, add) = (entry.parameter("REMOVE"), entry.parameter("ADD"));
+        let activity = match (remove, add) {
+            (Some(_), None) => Activity::Removed,
+            (None, Some(_)) => Activity::Acting,
+            (Some(one), Some(other)) => {
+                let fault = Diagnostic::error(other.span, "a card removes or adds, not both");
+                diagnostics.push(fault.related(one.span, "the other one"));
+                return;
+            }
+            (None, None) => {
+                let fault = Diagnostic::error(entry.card.span, "`*MODEL CHANGE` needs `REMOVE` or `ADD`");
+                diagnostics.push(fault);
+                return;
+            }
+        };
+        let mut lines = deck.lines(entry.card).peekable();
+        if lines.peek().is_none() {
+            let fault = Diagnostic::error(entry.card.span, "this card names no pair");
+            diagnostics.push(fault.help("add a line: secondary surface, main surface"));
+        }
+        for line in lines {
+            let row = Row::read(line, fields(entry), diagnostics);
+            let (Some(secondary), Some(main), true) = (row.token(0), row.token(1), row.sound) else { continue };
+            let Some(pair) = which_pair::named(secondary, main, pairs, diagnostics) else { continue };
+            let before = std::mem::replace(&mut self.of(pair).activity, activity);
+            if before == activity {
+                let already = if activity == Activity::Removed { "is removed" } else { "acts" };
+                let note = Diagnostic::warning(row.span, format!("this pair {already} already"));
+                diagnostics.push(note.label("the line changes nothing"));
+            }
+        }
+    }
+}

@@ -1,0 +1,43 @@
+//! Which contact pair a card means.
+
+use crate::deck::card::{Token, normalized};
+use crate::diagnostic::{Diagnostic, Diagnostics};
+use crate::keyword::check::Entry;
+use crate::model::Place;
+use fe_contact::pair::PairDefinition;
+
+/// The pair of `MAIN=` and `SECONDARY=`, an index into the model's pairs.
+pub fn of_parameters(
+    entry: &Entry<'_>,
+    pairs: &[(PairDefinition, Place)],
+    diagnostics: &mut Diagnostics,
+) -> Option<usize> {
+    let (main, secondary) = (entry.value("MAIN"), entry.value("SECONDARY"));
+    let (Some(main), Some(secondary)) = (main, secondary) else {
+        if let Some(one) = main.or(secondary) {
+            diagnostics.push(Diagnostic::error(one.span, "`MAIN` and `SECONDARY` are given both or not at all"));
+        }
+        return None;
+    };
+    let [secondary, main] = [secondary, main].map(|value| Token { text: &value.text, span: value.span });
+    named(secondary, main, pairs, diagnostics)
+}
+
+/// The pair of two surfaces; a missing one is told, unless faults of the pairs explain it.
+pub fn named(
+    secondary: Token<'_>,
+    main: Token<'_>,
+    pairs: &[(PairDefinition, Place)],
+    diagnostics: &mut Diagnostics,
+) -> Option<usize> {
+    let names = [secondary, main].map(|token| normalized(token.text));
+    let found = pairs.iter().position(|(p, _)| p.secondary_name == names[0] && p.main_name == names[1]);
+    if found.is_none() && diagnostics.faults() == 0 {
+        let title = format!("there is no contact pair of `{}` and `{}`", names[0], names[1]);
+        let there: Vec<String> =
+            pairs.iter().map(|(p, _)| format!("SECONDARY={}, MAIN={}", p.secondary_name, p.main_name)).collect();
+        let fault = Diagnostic::error(secondary.span, title);
+        diagnostics.push(fault.known("", there.iter().map(String::as_str)));
+    }
+    found
+}
