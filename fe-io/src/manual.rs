@@ -43,6 +43,8 @@ fn full(card: &Keyword, laws: &Laws) -> String {
     let mut out = String::new();
     let level = match card.level {
         Level::Model => "model data, before the first step",
+        Level::Part => "model data, before the first step; also in a part, an instance or the assembly",
+        Level::Assembly => "model data, in the assembly",
         Level::Step => "in a step",
         Level::Either => "model data, or in a step",
     };

@@ -13,4 +13,4 @@ pub mod quadrature;
 pub mod shape;
 
 pub use cell::CellKind;
-pub use mesh::{CellBlock, CellId, Face, Mesh};
+pub use mesh::{CellBlock, CellId, Face, Instance, Mesh};

@@ -2,6 +2,7 @@
 
 use crate::cell::CellKind;
 use std::collections::BTreeMap;
+use std::ops::Range;
 
 /// Cells of one kind, side by side.
 #[derive(Clone, Debug, PartialEq)]
@@ -55,6 +56,38 @@ pub struct Face {
     pub face: u8,
 }
 
+/// A copy of a part. Labels of points and cells are unique in an instance, not in the mesh.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Instance {
+    /// Name (capitals).
+    pub name: String,
+    /// Its points.
+    pub points: Range<u32>,
+    /// Its cells: a block, and the range in it.
+    pub cells: Vec<(u32, Range<u32>)>,
+}
+
+impl Instance {
+    /// An instance without points and cells.
+    pub fn new(name: String) -> Self {
+        Instance { name, points: 0..0, cells: Vec::new() }
+    }
+
+    /// Takes one more point; the points of an instance follow one another.
+    pub fn add_point(&mut self, point: u32) {
+        let start = if self.points.is_empty() { point } else { self.points.start };
+        self.points = start..point + 1;
+    }
+
+    /// Takes one more cell; the cells of an instance in a block follow one another.
+    pub fn add_cell(&mut self, id: CellId) {
+        match self.cells.iter_mut().find(|(block, _)| *block == id.block) {
+            Some((_, cells)) => cells.end = id.cell + 1,
+            None => self.cells.push((id.block, id.cell..id.cell + 1)),
+        }
+    }
+}
+
 /// Points, cells, and what has a name.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Mesh {
@@ -70,6 +103,8 @@ pub struct Mesh {
     pub cell_sets: BTreeMap<String, Vec<CellId>>,
     /// Surfaces by name (capitals): faces of cells, ascending.
     pub surfaces: BTreeMap<String, Vec<Face>>,
+    /// Copies of parts; none in most meshes. What has a name in one is called `INSTANCE.NAME`.
+    pub instances: Vec<Instance>,
 }
 
 impl Mesh {
@@ -86,6 +121,31 @@ impl Mesh {
     /// Label of a cell.
     pub fn cell_label(&self, id: CellId) -> u64 {
         self.blocks[id.block as usize].labels[id.cell as usize]
+    }
+
+    /// The instance that a point belongs to, an index into [`Mesh::instances`].
+    pub fn instance_of_point(&self, point: u32) -> Option<usize> {
+        self.instances.iter().position(|instance| instance.points.contains(&point))
+    }
+
+    /// The instance that a cell belongs to, an index into [`Mesh::instances`].
+    pub fn instance_of_cell(&self, id: CellId) -> Option<usize> {
+        let holds = |(block, cells): &(u32, Range<u32>)| *block == id.block && cells.contains(&id.cell);
+        self.instances.iter().position(|instance| instance.cells.iter().any(holds))
+    }
+
+    /// What the user calls a point: its label, or `INSTANCE.label`.
+    pub fn point_name(&self, point: u32) -> String {
+        self.within(self.instance_of_point(point), self.point_labels[point as usize])
+    }
+
+    /// What the user calls a cell: its label, or `INSTANCE.label`.
+    pub fn cell_name(&self, id: CellId) -> String {
+        self.within(self.instance_of_cell(id), self.cell_label(id))
+    }
+
+    fn within(&self, instance: Option<usize>, label: u64) -> String {
+        instance.map_or(label.to_string(), |i| format!("{}.{label}", self.instances[i].name))
     }
 
     /// Kind and points of a face, normal outward.

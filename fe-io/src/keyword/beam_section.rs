@@ -62,7 +62,7 @@ const AXIS: DataLine = DataLine::optional(&[
 
 pub const BEAM_SECTION: Keyword = Keyword {
     name: "BEAM SECTION",
-    level: Level::Model,
+    level: Level::Part,
     summary: "gives beams their material and the shape of their cross-section",
     parameters: &[
         ELSET,
@@ -87,7 +87,7 @@ pub const BEAM_SECTION: Keyword = Keyword {
 
 pub const BEAM_GENERAL_SECTION: Keyword = Keyword {
     name: "BEAM GENERAL SECTION",
-    level: Level::Model,
+    level: Level::Part,
     summary: "gives beams area, moments of inertia and moduli",
     parameters: &[
         ELSET,

@@ -1,6 +1,7 @@
 //! Keyword lines against their tables: names, parameters, values, levels.
 
-use super::table::{Choice, Keyword, Kind, Level, Standing};
+use super::place::Places;
+use super::table::{Choice, Keyword, Kind, Standing};
 use super::{Known, find, names, same};
 use crate::deck::Deck;
 use crate::deck::card::{Card, Parameter, Value, normalized};
@@ -17,6 +18,10 @@ pub struct Entry<'a> {
     pub keyword: &'static Keyword,
     /// Number of the step it stands in, from 0.
     pub step: Option<usize>,
+    /// The `*PART` or the `*INSTANCE` that it stands in.
+    pub block: Option<&'a Card>,
+    /// Whose labels and names it means: an index into the scopes of the scene, the model's first.
+    pub scope: usize,
 }
 
 impl<'a> Entry<'a> {
@@ -56,7 +61,7 @@ impl<'a> Entry<'a> {
 /// All cards that are read, in order; what is wrong with the others and with their parameters is told.
 pub fn check<'a>(deck: &'a Deck, laws: &Laws, diagnostics: &mut Diagnostics) -> Vec<Entry<'a>> {
     let mut entries = Vec::new();
-    let mut steps = Steps::default();
+    let mut places = Places::default();
     for card in &deck.cards {
         match find(&card.keyword) {
             None => {
@@ -71,66 +76,15 @@ pub fn check<'a>(deck: &'a Deck, laws: &Laws, diagnostics: &mut Diagnostics) -> 
                 diagnostics.push(Diagnostic::note(card.span, format!("`*{name}` has no effect")).label(why));
             }
             Some(Known::Card(keyword)) => {
-                let step = steps.enter(card, keyword, diagnostics);
-                let entry = Entry { card, keyword, step };
+                let place = places.enter(card, keyword, diagnostics);
+                let entry = Entry { card, keyword, step: place.step, block: place.block, scope: 0 };
                 parameters(&entry, laws, diagnostics);
                 entries.push(entry);
             }
         }
     }
-    steps.end(diagnostics);
+    places.end(diagnostics);
     entries
-}
-
-/// Which step a card stands in.
-#[derive(Default)]
-struct Steps<'a> {
-    count: usize,
-    open: Option<&'a Card>,
-}
-
-impl<'a> Steps<'a> {
-    fn enter(&mut self, card: &'a Card, keyword: &Keyword, diagnostics: &mut Diagnostics) -> Option<usize> {
-        match keyword.name {
-            "STEP" => {
-                self.end(diagnostics);
-                self.open = Some(card);
-                self.count += 1;
-                return Some(self.count - 1);
-            }
-            "END STEP" => {
-                let open = self.open.take();
-                if open.is_none() {
-                    diagnostics.push(Diagnostic::error(card.span, "`*END STEP` without a `*STEP` before it"));
-                }
-                return open.map(|_| self.count - 1);
-            }
-            _ => {}
-        }
-        let star = format!("`*{}`", keyword.name);
-        match (self.open, keyword.level) {
-            (Some(step), Level::Model) => {
-                let fault = Diagnostic::error(card.span, format!("{star} belongs to the model, not into a step"));
-                diagnostics.push(fault.related(step.span, "the step begins here"));
-            }
-            (None, Level::Step) => {
-                let fault = Diagnostic::error(card.span, format!("{star} belongs into a step"));
-                diagnostics.push(fault.help("write it between `*STEP` and `*END STEP`"));
-            }
-            (None, Level::Model | Level::Either) if self.count > 0 => {
-                let fault = Diagnostic::error(card.span, format!("{star} stands after a step"));
-                diagnostics.push(fault.help("write the model before the first `*STEP`"));
-            }
-            _ => {}
-        }
-        self.open.map(|_| self.count - 1)
-    }
-
-    fn end(&mut self, diagnostics: &mut Diagnostics) {
-        if let Some(step) = self.open.take() {
-            diagnostics.push(Diagnostic::error(step.span, "this step has no `*END STEP`"));
-        }
-    }
 }
 
 fn parameters(entry: &Entry<'_>, laws: &Laws, diagnostics: &mut Diagnostics) {

@@ -15,7 +15,7 @@ const FREEDOMS: DataLine = DataLine::once(&[
 
 pub const SPRING: Keyword = Keyword {
     name: "SPRING",
-    level: Level::Model,
+    level: Level::Part,
     summary: "gives springs their freedoms and stiffness",
     parameters: &[
         ELSET,
@@ -38,7 +38,7 @@ pub const SPRING: Keyword = Keyword {
 
 pub const DASHPOT: Keyword = Keyword {
     name: "DASHPOT",
-    level: Level::Model,
+    level: Level::Part,
     summary: "gives dashpots their freedoms and viscosity; static steps have no velocity, and so no force of dashpots",
     parameters: &[
         ELSET,
@@ -59,7 +59,7 @@ pub const DASHPOT: Keyword = Keyword {
 
 pub const MASS: Keyword = Keyword {
     name: "MASS",
-    level: Level::Model,
+    level: Level::Part,
     summary: "gives the masses of nodes; of these static steps have the weight alone",
     parameters: &[
         ELSET,

@@ -2,7 +2,7 @@ use super::{Data, DataLine, Field, Keyword, Level, Parameter};
 
 pub const ELEMENT: Keyword = Keyword {
     name: "ELEMENT",
-    level: Level::Model,
+    level: Level::Part,
     summary: "elements: label and nodes",
     parameters: &[
         Parameter::name("TYPE", "a solid: C3D4, C3D10, C3D8, CPE3, CPE4, CPS3, CPS4, CAX3, CAX4; a truss: T2D2, T3D2, T3D3 (end, middle, end); a beam: B21, B23, B31, B33; of nodes: SPRING1, SPRING2, SPRINGA, DASHPOT1, DASHPOT2, DASHPOTA, MASS; contact: GAPUNI, GAPCYL, GAPSPHER, ITT21, ITT31").required(),
@@ -19,14 +19,14 @@ pub const ELEMENT: Keyword = Keyword {
 
 pub const ELSET: Keyword = Keyword {
     name: "ELSET",
-    level: Level::Model,
+    level: Level::Part,
     summary: "an element set; several cards of one name add up",
     parameters: &[
         Parameter::name("ELSET", "name of the set").required(),
         Parameter::flag("GENERATE", "each data line is first, last, step"),
         Parameter::idle("UNSORTED", "sets are kept in ascending order"),
         Parameter::silent("INTERNAL", "of no meaning here"),
-        Parameter::not_yet("INSTANCE", "parts and instances are not there: write nodes and elements once each"),
+        Parameter::name("INSTANCE", "in the assembly: the labels and sets of the data lines are those of this instance"),
     ],
     data: Data::Lines(&[
         DataLine::many(&[

@@ -2,7 +2,7 @@ use super::{Data, DataLine, Field, Keyword, Kind, Level, Parameter};
 
 pub const MESH: Keyword = Keyword {
     name: "MESH",
-    level: Level::Model,
+    level: Level::Part,
     summary: "a mesh in gmsh format (2.2 or 4.1, text or binary); physical groups become sets and surfaces",
     parameters: &[Parameter::of("INPUT", Kind::Text, "file, looked up beside the file that names it").required()],
     data: Data::Lines(&[DataLine::many(&[

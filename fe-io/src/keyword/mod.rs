@@ -19,6 +19,8 @@ mod model_change;
 mod node;
 mod not_yet;
 mod output;
+pub(crate) mod parts;
+mod place;
 mod print;
 mod procedure;
 mod rigid_body;
@@ -36,6 +38,12 @@ pub use table::{Choice, Data, DataLine, Field, FieldKind, Keyword, Kind, Level, 
 pub const CARDS: &[&Keyword] = &[
     &heading::HEADING,
     &heading::INCLUDE,
+    &parts::PART,
+    &parts::END_PART,
+    &parts::ASSEMBLY,
+    &parts::INSTANCE,
+    &parts::END_INSTANCE,
+    &parts::END_ASSEMBLY,
     &mesh::MESH,
     &node::NODE,
     &node::NSET,

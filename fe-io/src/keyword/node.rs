@@ -2,7 +2,7 @@ use super::{Choice, Data, DataLine, Field, Keyword, Level, Parameter};
 
 pub const NODE: Keyword = Keyword {
     name: "NODE",
-    level: Level::Model,
+    level: Level::Part,
     summary: "nodes: label and coordinates",
     parameters: &[
         Parameter::name("NSET", "node set that the nodes are added to"),
@@ -28,7 +28,7 @@ pub const NODE: Keyword = Keyword {
 
 pub const NSET: Keyword = Keyword {
     name: "NSET",
-    level: Level::Model,
+    level: Level::Part,
     summary: "a node set; several cards of one name add up",
     parameters: &[
         Parameter::name("NSET", "name of the set").required(),
@@ -37,7 +37,7 @@ pub const NSET: Keyword = Keyword {
         Parameter::idle("UNSORTED", "sets are kept in ascending order"),
         Parameter::silent("INTERNAL", "of no meaning here"),
         Parameter::idle("FREQUENCY", "of no meaning for a set"),
-        Parameter::not_yet("INSTANCE", "parts and instances are not there: write nodes and elements once each"),
+        Parameter::name("INSTANCE", "in the assembly: the labels and sets of the data lines are those of this instance"),
     ],
     data: Data::Lines(&[
         DataLine::many(&[Field::word("node or set", "label of a node, or a node set defined above").repeats()]),

@@ -11,7 +11,6 @@ const COMMON_NODES: &str = "give both bodies common nodes";
 const WRITE_NODES: &str = "write the nodes and elements out, or read a mesh by `*MESH`";
 const COLD: &str = "there are no temperatures";
 const SUPPORTS: &str = "prescribe displacements by `*BOUNDARY`";
-const FLAT: &str = "write nodes, elements and sets once each, without parts";
 const AT_REST: &str = "a job begins at rest and without stress";
 const TABLES: &str = "`*NODE PRINT`, `*EL PRINT` and `*CONTACT PRINT` are there";
 const GLOBAL: &str = "coordinates and directions are those of the global axes";
@@ -212,7 +211,6 @@ pub(super) const CARDS: &[(&[&str], &str)] = &[
         WRITE_NODES,
     ),
     (&["SYSTEM", "TRANSFORM", "DISTRIBUTION", "DISTRIBUTION TABLE"], GLOBAL),
-    (&["PART", "END PART", "ASSEMBLY", "END ASSEMBLY", "INSTANCE", "END INSTANCE"], FLAT),
     (&["INITIAL CONDITIONS", "INITIAL STRAIN INCREASE", "PRE-TENSION SECTION", "INERTIA RELIEF"], AT_REST),
     (&["CONNECTOR MOTION"], SUPPORTS),
     (&["CONNECTOR LOAD", "LOAD CASE", "END LOAD CASE"], "`*CLOAD`, `*DLOAD` and `*DSLOAD` are there"),

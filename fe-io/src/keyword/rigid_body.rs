@@ -2,7 +2,7 @@ use super::{Data, Keyword, Level, Parameter};
 
 pub const RIGID_BODY: Keyword = Keyword {
     name: "RIGID BODY",
-    level: Level::Model,
+    level: Level::Part,
     summary: "an analytical rigid surface moves with a reference node",
     parameters: &[
         Parameter::name("ANALYTICAL SURFACE", "the rigid surface").required(),

@@ -2,7 +2,7 @@ use super::{Data, DataLine, Field, Keyword, Level, Parameter};
 
 pub const SOLID_SECTION: Keyword = Keyword {
     name: "SOLID SECTION",
-    level: Level::Model,
+    level: Level::Part,
     summary: "gives solids and trusses their material, plane ones their thickness, trusses their area",
     parameters: &[
         Parameter::name("ELSET", "the elements").required(),

@@ -1,10 +1,10 @@
-use super::{Choice, Data, DataLine, Field, Keyword, Level, Parameter};
+use super::{Choice, Data, DataLine, Field, Keyword, Kind, Level, Parameter};
 
 const COORDINATE: Field = Field::number("coordinate", "L", "coordinates of a point");
 
 pub const SURFACE: Keyword = Keyword {
     name: "SURFACE",
-    level: Level::Model,
+    level: Level::Part,
     summary: "a surface: faces of elements, nodes, or an analytical rigid shape",
     parameters: &[
         Parameter::name("NAME", "name of the surface").required(),
@@ -22,8 +22,16 @@ pub const SURFACE: Keyword = Keyword {
             "ELEMENT (default), NODE, or rigid: SEGMENTS in a plane, CYLINDER swept, REVOLUTION turned",
         ),
         Parameter::silent("INTERNAL", "of no meaning here"),
-        Parameter::idle("TRIM", "free faces are taken as they are"),
-        Parameter::not_yet("COMBINE", "list the faces of both surfaces in one"),
+        Parameter::choice(
+            "COMBINE",
+            &[Choice::there("UNION"), Choice::there("INTERSECTION"), Choice::there("DIFFERENCE")],
+            "of surfaces of faces: all faces, those that both have, those of the first that the second does not have",
+        ),
+        Parameter::of(
+            "TRIM",
+            Kind::OptionalChoice(&[Choice::not_yet("YES", "free faces are taken as they are"), Choice::there("NO")]),
+            "NO (default): free faces are taken as they are, around corners too",
+        ),
         Parameter::not_yet("CROP", "list the faces"),
         Parameter::not_yet("FILLET RADIUS", "write the arc as a CIRCL line"),
         Parameter::not_yet("REGION TYPE", "name faces of elements"),
@@ -55,6 +63,8 @@ pub const SURFACE: Keyword = Keyword {
             Field::number("centre", "L", "").or("LINE has none"),
         ])
         .when("rigid: the pieces"),
+        DataLine::many(&[Field::word("surface", "a surface of faces, defined above").repeats()])
+            .when("COMBINE: any number for UNION, two for INTERSECTION and DIFFERENCE"),
     ]),
     source: "Abaqus Keywords Reference, *SURFACE",
 };

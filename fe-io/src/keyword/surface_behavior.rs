@@ -2,7 +2,7 @@ use super::{Choice, Data, DataLine, Field, Keyword, Kind, Level, Parameter};
 
 pub const SURFACE_BEHAVIOR: Keyword = Keyword {
     name: "SURFACE BEHAVIOR",
-    level: Level::Model,
+    level: Level::Part,
     summary: "pressure against overclosure, under *SURFACE INTERACTION",
     parameters: &[
         Parameter::of(

@@ -20,8 +20,12 @@ pub struct Keyword {
 /// Where a card may stand.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Level {
-    /// Before the first step.
+    /// Before the first step, outside of parts and of the assembly.
     Model,
+    /// Before the first step: in a part, in an instance, in the assembly or outside of them.
+    Part,
+    /// In the assembly.
+    Assembly,
     /// Between `*STEP` and `*END STEP`.
     Step,
     /// Both.

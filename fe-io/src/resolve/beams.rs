@@ -96,7 +96,7 @@ fn complete(section: &LineSection, entry: &Entry<'_>, diagnostics: &mut Diagnost
 
 fn add(mut section: LineSection, axis: [f64; 3], scene: &mut Scene<'_>) {
     if section.element.space() == Space::Solid {
-        section.first_axis = axis;
+        section.first_axis = scene.scope().motion.direction(axis);
     }
     scene.structure.lines.push(section);
 }

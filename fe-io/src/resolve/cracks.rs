@@ -23,7 +23,7 @@ pub fn tell(scene: &Scene<'_>, pairs: &[(PairDefinition, Place)], diagnostics: &
         found.retain(|&(a, b)| !faces(a, b) && !faces(b, a));
     }
     if let Some(&(a, b)) = found.first() {
-        let [first, second] = [a, b].map(|n| scene.node_label(n));
+        let [first, second] = [a, b].map(|n| scene.node_name(n));
         let title = match found.len() {
             1 => "1 pair of nodes lies at the same place without a contact pair between them".to_owned(),
             n => format!("{n} pairs of nodes lie at the same place without a contact pair between them"),

@@ -59,7 +59,7 @@ pub fn read(entry: &Entry<'_>, scene: &mut Scene<'_>, diagnostics: &mut Diagnost
             reading.finish(line, scene, diagnostics);
         }
     }
-    if let Some(name) = entry.name("ELSET") {
+    if let Some(name) = entry.name("ELSET").map(|name| scene.own_name(&name)) {
         if scene.cells.len() == first {
             scene.faulty_sets.insert(name.clone());
         }
@@ -90,7 +90,7 @@ impl<'a> Reading<'a> {
         match self.label.take() {
             Some(Ok((label, at))) => {
                 let added = self.add(label, at, line, scene, diagnostics);
-                added.unwrap_or_else(|| scene.elements.spoil(label));
+                added.unwrap_or_else(|| scene.scope_mut().elements.spoil(label));
             }
             Some(Err(token)) => {
                 let title = format!("`{}` is not the label of an element", token.text);
@@ -159,20 +159,24 @@ pub fn register(
     at: Span,
     diagnostics: &mut Diagnostics,
 ) -> Option<()> {
-    if let Err(other) = scene.elements.insert(label, scene.cells.len() as u32) {
+    let ordinal = scene.cells.len() as u32;
+    if let Err(other) = scene.scope_mut().elements.insert(label, ordinal) {
         let fault = Diagnostic::error(at, format!("element {label} is there twice"));
-        diagnostics.push(fault.related(scene.cell_places[other as usize], "first here"));
+        let first = scene.place_of(scene.cells[other as usize]);
+        diagnostics.push(first.into_iter().fold(fault, |fault, first| fault.related(first, "first here")));
         return None;
     }
     let cells = &mut scene.structure.mesh.blocks[block];
-    scene.cells.push(CellId { block: block as u32, cell: cells.labels.len() as u32 });
+    let id = CellId { block: block as u32, cell: cells.labels.len() as u32 };
     cells.labels.push(label);
-    scene.cell_places.push(at);
+    scene.cells.push(id);
+    scene.cell_places[block].push(at);
+    scene.instance_mut().into_iter().for_each(|instance| instance.add_cell(id));
     Some(())
 }
 
 fn node(token: Token<'_>, scene: &Scene<'_>, diagnostics: &mut Diagnostics) -> Option<u32> {
-    match whole(token.text) {
+    match scene.label(token.text) {
         Some(label) => scene.node(token, label, diagnostics),
         None => {
             let title = format!("`{}` is not the label of a node", token.text);

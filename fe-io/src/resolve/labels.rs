@@ -41,6 +41,19 @@ impl Labels {
         }
     }
 
+    /// Number of labels.
+    pub fn count(&self) -> usize {
+        self.count
+    }
+
+    /// All labels in ascending order.
+    pub fn ascending(&self) -> Vec<u64> {
+        let dense = (0u64..).zip(&self.dense).filter(|(_, index)| **index > 0).map(|(label, _)| label);
+        let mut all: Vec<u64> = dense.chain(self.sparse.keys().copied()).collect();
+        all.sort_unstable();
+        all
+    }
+
     /// This label's line is faulty, which was told.
     pub fn spoil(&mut self, label: u64) {
         self.faulty.insert(label);
@@ -67,6 +80,8 @@ mod tests {
             assert_eq!(labels.get(label), Some(index as u32));
             assert_eq!(labels.insert(label, 99), Err(index as u32));
         }
+        assert_eq!(labels.count(), all.len());
+        assert_eq!(labels.ascending(), [0, 1, 7, 8, 65_535, 200_000, 999_999_999_999, 1 << 40]);
         assert_eq!([2, 65_534, 1 << 41].map(|l| labels.get(l)), [None; 3]);
     }
 }

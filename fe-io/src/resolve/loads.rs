@@ -42,7 +42,7 @@ fn nodal(
     let nodes = scene.nodes_of(token, diagnostics)?;
     let component = freedom as u8 - 1;
     if let Some(&node) = nodes.iter().find(|&&node| scene.masks[node as usize] >> component & 1 == 0) {
-        let title = format!("node {} has no freedom {freedom} to load", scene.node_label(node));
+        let title = format!("node {} has no freedom {freedom} to load", scene.node_name(node));
         let fault = Diagnostic::error(line.span, title);
         let bare = scene.masks[node as usize] == 0;
         diagnostics.push(if bare { fault.label("it belongs to no element") } else { fault });
@@ -117,7 +117,7 @@ fn on_elements(
     let cells = scene.cells_of(token, diagnostics)?;
     let count = |cell: CellId| scene.structure.mesh.kind(cell).faces().len();
     if let Some(&cell) = cells.iter().find(|&&cell| usize::from(face) >= count(cell)) {
-        let label = scene.structure.mesh.cell_label(cell);
+        let label = scene.cell_name(cell);
         let fault = Diagnostic::error(kind.span, format!("element {label} has no face for `{word}`"));
         let (element, faces) = (scene.element_of(cell), count(cell));
         diagnostics.push(match element.family() {

@@ -108,13 +108,15 @@ fn add(
     let ids = cells(&mesh, types, first, at, scene, diagnostics);
     let moved = |cell: CellId| ids[cell.block as usize][cell.cell as usize];
     for (name, set) in mesh.node_sets {
+        let name = scene.own_name(&name);
         scene.structure.mesh.node_sets.entry(name).or_default().extend(set.iter().map(|n| n + first));
     }
     for (name, set) in &mesh.cell_sets {
-        let set = set.iter().filter_map(|&cell| moved(cell));
-        scene.structure.mesh.cell_sets.entry(name.clone()).or_default().extend(set);
+        let (name, set) = (scene.own_name(name), set.iter().filter_map(|&cell| moved(cell)));
+        scene.structure.mesh.cell_sets.entry(name).or_default().extend(set);
     }
     for (name, faces) in mesh.surfaces {
+        let name = scene.own_name(&name);
         let faces = faces.iter().filter_map(|f| Some(Face { cell: moved(f.cell)?, face: f.face })).collect();
         scene.surfaces.insert(name.clone(), (Surface::Faces, at));
         scene.structure.mesh.surfaces.insert(name, faces);

@@ -2,6 +2,7 @@
 
 mod amplitudes;
 mod beams;
+mod combine;
 mod conditions;
 mod controls;
 mod cracks;
@@ -13,9 +14,12 @@ mod labels;
 mod loads;
 mod materials;
 mod mesh_file;
+mod motion;
+mod names;
 mod nodes;
 mod once;
 mod pairs;
+mod parts;
 mod quality;
 mod requests;
 mod rigid;
@@ -56,11 +60,13 @@ impl Default for Library {
 /// The model that a deck describes, or all that is wrong with the deck. Warnings become notes of the model.
 pub fn resolve(deck: &Deck, library: &Library) -> Result<Model, Diagnostics> {
     let mut diagnostics = Diagnostics::new(deck.sources.clone());
-    let entries = check(deck, &library.laws, &mut diagnostics);
+    let written = check(deck, &library.laws, &mut diagnostics);
     let mut scene = Scene::new(deck);
+    let entries = parts::placed(&written, &mut scene, &mut diagnostics);
     bodies(&entries, &mut scene, &mut diagnostics);
     let amplitudes = Amplitudes::read(&named(&entries, &["AMPLITUDE"]), deck, &mut diagnostics);
-    let contact = named(&entries, &["SURFACE INTERACTION", "SURFACE BEHAVIOR"]);
+    // How surfaces act on each other belongs to the model wherever it is written: once, whatever a part's instances.
+    let contact = named(&written, &["SURFACE INTERACTION", "SURFACE BEHAVIOR"]);
     let interactions = Interactions::read(&contact, deck, &library.laws, &mut diagnostics);
     if scene.unread {
         return Err(diagnostics);
@@ -105,38 +111,47 @@ fn named<'a>(entries: &[Entry<'a>], names: &[&str]) -> Vec<Entry<'a>> {
     entries.iter().filter(|entry| names.contains(&entry.keyword.name)).copied().collect()
 }
 
-/// Nodes, elements, sets, surfaces, materials, sections.
-fn bodies(entries: &[Entry<'_>], scene: &mut Scene<'_>, diagnostics: &mut Diagnostics) {
-    let before = diagnostics.faults();
-    for entry in named(entries, &["NODE", "MESH"]) {
-        match entry.keyword.name {
-            "NODE" => nodes::read(&entry, scene, diagnostics),
-            _ => mesh_file::read(&entry, scene, diagnostics),
-        }
+/// Reads the cards of some names in order, each with the labels and names of the instance that it stands in.
+fn each<'a>(
+    entries: &[Entry<'a>],
+    names: &[&str],
+    scene: &mut Scene<'a>,
+    mut read: impl FnMut(&Entry<'a>, &mut Scene<'a>),
+) {
+    for entry in entries.iter().filter(|entry| names.contains(&entry.keyword.name)) {
+        scene.enter(entry);
+        read(entry, scene);
     }
+    scene.leave();
+}
+
+/// Nodes, elements, sets, surfaces, materials, sections.
+fn bodies<'a>(entries: &[Entry<'a>], scene: &mut Scene<'a>, diagnostics: &mut Diagnostics) {
     if scene.unread {
         return;
     }
-    for entry in named(entries, &["ELEMENT"]) {
-        elements::read(&entry, scene, diagnostics);
+    let before = diagnostics.faults();
+    each(entries, &["NODE", "MESH"], scene, |entry, scene| match entry.keyword.name {
+        "NODE" => nodes::read(entry, scene, diagnostics),
+        _ => mesh_file::read(entry, scene, diagnostics),
+    });
+    if scene.unread {
+        return;
     }
+    each(entries, &["ELEMENT"], scene, |entry, scene| elements::read(entry, scene, diagnostics));
     scene.incomplete = diagnostics.faults() > before;
-    for entry in named(entries, &["NSET", "ELSET"]) {
-        match entry.keyword.name {
-            "NSET" => sets::nodes(&entry, scene, diagnostics),
-            _ => sets::cells(&entry, scene, diagnostics),
-        }
-    }
+    each(entries, &["NSET", "ELSET"], scene, |entry, scene| match entry.keyword.name {
+        "NSET" => sets::nodes(entry, scene, diagnostics),
+        _ => sets::cells(entry, scene, diagnostics),
+    });
     sets::sort(scene);
     if scene.cells.is_empty() && diagnostics.faults() == 0 {
         let fault = Diagnostic::error(START, "the deck has no elements");
         diagnostics.push(fault.help("write `*ELEMENT`, or read a mesh by `*MESH`"));
     }
     quality::spaces(scene, diagnostics);
-    surfaces::read(&named(entries, &["SURFACE"]), scene, diagnostics);
-    for entry in named(entries, &["RIGID BODY"]) {
-        rigid::body(&entry, scene, diagnostics);
-    }
+    each(entries, &["SURFACE"], scene, |entry, scene| surfaces::read(entry, scene, diagnostics));
+    each(entries, &["RIGID BODY"], scene, |entry, scene| rigid::body(entry, scene, diagnostics));
     let materials = materials::read(&named(entries, &["MATERIAL", "ELASTIC", "DENSITY"]), scene, diagnostics);
     let before = diagnostics.faults();
     let cards = sections::CARDS.iter().map(|(name, _)| *name).collect::<Vec<_>>();

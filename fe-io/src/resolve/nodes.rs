@@ -20,6 +20,7 @@ pub fn read(entry: &Entry<'_>, scene: &mut Scene<'_>, diagnostics: &mut Diagnost
     }
     let last = scene.node_places.len() as u32;
     if let Some(name) = entry.name("NSET") {
+        let name = scene.own_name(&name);
         scene.structure.mesh.node_sets.entry(name).or_default().extend(first..last);
     }
 }
@@ -40,11 +41,13 @@ fn node(line: Line<'_>) -> Option<(u64, Span, [f64; 3])> {
 /// Adds a node; a label that is taken is told.
 pub fn add(scene: &mut Scene<'_>, label: u64, at: Span, point: [f64; 3], diagnostics: &mut Diagnostics) {
     let index = scene.node_places.len() as u32;
-    match scene.nodes.insert(label, index) {
+    match scene.scope_mut().nodes.insert(label, index) {
         Ok(()) => {
+            let point = scene.scope().motion.point(point);
             scene.structure.mesh.points.push(point);
             scene.structure.mesh.point_labels.push(label);
             scene.node_places.push(at);
+            scene.instance_mut().into_iter().for_each(|instance| instance.add_point(index));
         }
         Err(other) => {
             let fault = Diagnostic::error(at, format!("node {label} is there twice"));
@@ -56,7 +59,7 @@ pub fn add(scene: &mut Scene<'_>, label: u64, at: Span, point: [f64; 3], diagnos
 fn faulty(entry: &Entry<'_>, line: Line<'_>, scene: &mut Scene<'_>, diagnostics: &mut Diagnostics) {
     let row = Row::read(line, fields(entry), diagnostics);
     if let Some(label) = row.whole(0) {
-        scene.nodes.spoil(label);
+        scene.scope_mut().nodes.spoil(label);
     }
 }
 

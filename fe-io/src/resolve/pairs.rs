@@ -39,7 +39,7 @@ pub fn read(
         common_nodes(second, &secondary, &main, scene, diagnostics);
         let adjust = adjust(entry, &secondary, scene, diagnostics);
         let (Some(interaction), true) = (interaction, diagnostics.faults() == before) else { continue };
-        let [secondary_name, main_name] = [first, second].map(|token| normalized(token.text));
+        let [secondary_name, main_name] = [first, second].map(|token| scene.full_name(token.text));
         let twin = pairs.iter().find(|(p, _)| p.secondary_name == secondary_name && p.main_name == main_name);
         if let Some((_, Place { file, line: number })) = twin {
             let fault = Diagnostic::error(line.span, "these surfaces are a contact pair already");
@@ -77,13 +77,11 @@ fn interaction(entry: &Entry<'_>, interactions: &Interactions, diagnostics: &mut
 
 /// A surface by name; a missing one is told.
 fn surface<'s>(token: Token<'_>, scene: &'s Scene<'_>, diagnostics: &mut Diagnostics) -> Option<&'s Surface> {
-    let name = normalized(token.text);
-    match scene.surfaces.get(&name) {
+    match scene.surfaces.get(&scene.full_name(token.text)) {
         Some((Surface::Faulty, _)) => None,
         Some((surface, _)) => Some(surface),
         None => {
-            let fault = Diagnostic::error(token.span, format!("there is no surface `{name}`"));
-            diagnostics.push(fault.known(&name, scene.surfaces.keys().map(String::as_str)));
+            diagnostics.push(scene.unknown("surface", token, scene.surfaces.keys().map(String::as_str)));
             None
         }
     }
@@ -91,7 +89,7 @@ fn surface<'s>(token: Token<'_>, scene: &'s Scene<'_>, diagnostics: &mut Diagnos
 
 /// Faces of an element-based surface of the mesh.
 pub fn faces_of(token: Token<'_>, scene: &Scene<'_>, diagnostics: &mut Diagnostics) -> Option<Vec<Face>> {
-    let name = normalized(token.text);
+    let name = scene.full_name(token.text);
     match surface(token, scene, diagnostics)? {
         Surface::Faces => scene.structure.mesh.surfaces.get(&name).cloned(),
         Surface::Nodes(_) | Surface::Rigid(_) | Surface::Faulty => {
@@ -114,7 +112,7 @@ fn secondary(token: Token<'_>, scene: &Scene<'_>, diagnostics: &mut Diagnostics)
 }
 
 fn main(token: Token<'_>, scene: &Scene<'_>, diagnostics: &mut Diagnostics) -> Option<Main> {
-    let name = normalized(token.text);
+    let name = scene.full_name(token.text);
     match surface(token, scene, diagnostics)? {
         Surface::Faces => faces_of(token, scene, diagnostics).map(Main::Faces),
         Surface::Rigid(rigid) => {
@@ -159,7 +157,7 @@ fn discretization(
         let title = "node-to-surface contact of quadratic faces is not there";
         let fault = Diagnostic::error(at.span, title);
         let element = scene.element_of(face.cell).name();
-        let fault = fault.label(format!("element {} is a {element}", mesh.cell_label(face.cell)));
+        let fault = fault.label(format!("element {} is a {element}", scene.cell_name(face.cell)));
         diagnostics.push(
             fault.help("say `TYPE=SURFACE TO SURFACE`: corner nodes of quadratic faces carry no pressure of their own"),
         );
@@ -186,7 +184,7 @@ fn common_nodes(at: Token<'_>, secondary: &Secondary, main: &Main, scene: &Scene
         Secondary::Nodes(nodes) => nodes.iter().map(|(node, _)| *node).find(|&n| marks[n as usize]),
     };
     if let Some(node) = common {
-        let title = format!("both surfaces of this pair hold node {}", scene.node_label(node));
+        let title = format!("both surfaces of this pair hold node {}", scene.node_name(node));
         diagnostics.push(
             Diagnostic::error(at.span, title)
                 .help("surfaces of a pair have no common nodes; self-contact is not there yet"),

@@ -40,7 +40,7 @@ pub fn spaces(scene: &mut Scene<'_>, diagnostics: &mut Diagnostics) {
     if scene.structure.is_plane() {
         let off = scene.structure.mesh.points.iter().position(|point| point[2] != 0.0);
         if let Some(node) = off {
-            let title = format!("node {} of a plane model has z ≠ 0", scene.node_label(node as u32));
+            let title = format!("node {} of a plane model has z ≠ 0", scene.node_name(node as u32));
             diagnostics.push(Diagnostic::warning(scene.node_places[node], title).label("taken as 0"));
         }
         scene.structure.mesh.points.iter_mut().for_each(|point| point[2] = 0.0);
@@ -56,7 +56,7 @@ pub fn freedoms(scene: &mut Scene<'_>, diagnostics: &mut Diagnostics) {
     }
     for (surface, &reference) in &scene.references {
         if masks[reference as usize] != 0 && !scene.incomplete {
-            let title = format!("node {} belongs to elements", scene.node_label(reference));
+            let title = format!("node {} belongs to elements", scene.node_name(reference));
             let at = scene.surfaces.get(surface).map_or(scene.node_places[reference as usize], |(_, at)| *at);
             diagnostics.push(Diagnostic::error(at, title).label("the reference node of a rigid surface stands alone"));
         }
@@ -87,7 +87,7 @@ pub fn twins(scene: &Scene<'_>, diagnostics: &mut Diagnostics) {
         if sorted(first) == sorted(second)
             && let Some(at) = scene.place_of(second)
         {
-            let [a, b] = [first, second].map(|cell| mesh.cell_label(cell));
+            let [a, b] = [first, second].map(|cell| scene.cell_name(cell));
             let warning = Diagnostic::warning(at, format!("elements {a} and {b} have the same nodes"));
             let other = scene.place_of(first).filter(|other| *other != at);
             diagnostics.push(match other {

@@ -1,6 +1,6 @@
 //! What a step prints and stores.
 
-use super::scene::{Scene, set};
+use super::scene::Scene;
 use super::which_pair;
 use crate::deck::card::{Token, normalized};
 use crate::diagnostic::{Diagnostic, Diagnostics};
@@ -280,8 +280,8 @@ fn set_name(entry: &Entry<'_>, scene: &mut Scene<'_>, diagnostics: &mut Diagnost
     };
     let token = Token { text: &value.text, span: value.span };
     let there = match parameter {
-        "NSET" => set(&scene.structure.mesh.node_sets, "node set", token, diagnostics).is_some(),
+        "NSET" => scene.set(&scene.structure.mesh.node_sets, "node set", token, diagnostics).is_some(),
         _ => scene.cell_set(token, diagnostics).is_some(),
     };
-    there.then(|| normalized(&value.text))
+    there.then(|| scene.full_name(&value.text))
 }

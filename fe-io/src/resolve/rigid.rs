@@ -1,5 +1,6 @@
 //! Analytical rigid surfaces and `*RIGID BODY`.
 
+use super::motion::Motion;
 use super::nodes::line_fields;
 use super::scene::{Scene, Surface};
 use crate::deck::card::{Line, Token, normalized};
@@ -37,19 +38,38 @@ pub fn surface(
     let mut lines = scene.deck.lines(entry.card);
     let sweep = match kind {
         "SEGMENTS" => Sweep::Segments,
-        "CYLINDER" => cylinder(entry, &mut lines, diagnostics)?,
-        "REVOLUTION" => revolution(entry, &mut lines, diagnostics)?,
+        "CYLINDER" => cylinder(entry, &mut lines, &scene.scope().motion, diagnostics)?,
+        "REVOLUTION" => revolution(entry, &mut lines, &scene.scope().motion, diagnostics)?,
         _ => return None,
     };
-    let (start, pieces) = profile(entry, lines, diagnostics)?;
+    let (mut start, mut pieces) = profile(entry, lines, diagnostics)?;
+    if sweep == Sweep::Segments {
+        let motion = &scene.scope().motion;
+        if !motion.keeps_plane() {
+            let title = "the instance turns this plane surface out of its plane";
+            let fault = Diagnostic::error(entry.card.span, title);
+            diagnostics.push(fault.help("plane parts move in x and y and turn about the axis z"));
+            return None;
+        }
+        start = motion.in_plane(start);
+        pieces.iter_mut().for_each(|piece| *piece = moved(*piece, motion));
+    }
     Some(RigidSurface { name: name.to_owned(), sweep, start, pieces })
 }
 
-/// Points of a data line, three coordinates each.
+/// Where an instance puts a piece of a plane profile.
+fn moved(piece: Piece, motion: &Motion) -> Piece {
+    match piece {
+        Piece::Line { to } => Piece::Line { to: motion.in_plane(to) },
+        Piece::Arc { to, center } => Piece::Arc { to: motion.in_plane(to), center: motion.in_plane(center) },
+    }
+}
+
+/// Points of a data line, three coordinates each, where the instance puts them.
 fn points<'a, const N: usize>(
     entry: &Entry<'_>,
     lines: &mut impl Iterator<Item = Line<'a>>,
-    kind: usize,
+    (kind, motion): (usize, &Motion),
     diagnostics: &mut Diagnostics,
 ) -> Option<[[f64; 3]; N]> {
     let Some(line) = lines.next() else {
@@ -61,16 +81,17 @@ fn points<'a, const N: usize>(
     for (i, value) in points.iter_mut().flatten().enumerate() {
         *value = row.number(i)?;
     }
-    row.sound.then_some(points)
+    row.sound.then(|| points.map(|point| motion.point(point)))
 }
 
 fn cylinder<'a>(
     entry: &Entry<'_>,
     lines: &mut impl Iterator<Item = Line<'a>>,
+    motion: &Motion,
     diagnostics: &mut Diagnostics,
 ) -> Option<Sweep> {
-    let [a, b] = points(entry, lines, 2, diagnostics)?;
-    let [c] = points(entry, lines, 3, diagnostics)?;
+    let [a, b] = points(entry, lines, (2, motion), diagnostics)?;
+    let [c] = points(entry, lines, (3, motion), diagnostics)?;
     let x = unit(minus(b, a));
     let y = x.and_then(|x| unit(cross(x, minus(c, a))));
     if let (Some(x), Some(y)) = (x, y) {
@@ -83,9 +104,10 @@ fn cylinder<'a>(
 fn revolution<'a>(
     entry: &Entry<'_>,
     lines: &mut impl Iterator<Item = Line<'a>>,
+    motion: &Motion,
     diagnostics: &mut Diagnostics,
 ) -> Option<Sweep> {
-    let [a, b] = points(entry, lines, 2, diagnostics)?;
+    let [a, b] = points(entry, lines, (2, motion), diagnostics)?;
     let axis = unit(minus(b, a));
     if axis.is_none() {
         diagnostics.push(Diagnostic::error(entry.card.span, "the points a and b of the axis are one"));
@@ -170,18 +192,18 @@ fn piece_fault(from: [f64; 2], piece: Piece, line: Line<'_>) -> Option<Diagnosti
 /// `*RIGID BODY`: the reference node of an analytical surface.
 pub fn body(entry: &Entry<'_>, scene: &mut Scene<'_>, diagnostics: &mut Diagnostics) {
     let (Some(surface), Some(node)) = (entry.value("ANALYTICAL SURFACE"), entry.value("REF NODE")) else { return };
-    let name = normalized(&surface.text);
+    let name = scene.full_name(&surface.text);
     match scene.surfaces.get(&name) {
         Some((Surface::Rigid(_) | Surface::Faulty, _)) => {}
         Some(_) => {
-            let title = format!("surface `{name}` is not an analytical one");
+            let title = format!("surface `{}` is not an analytical one", normalized(&surface.text));
             diagnostics.push(Diagnostic::error(surface.span, title));
             return;
         }
         None => {
             let rigid = scene.surfaces.iter().filter(|(_, (s, _))| matches!(s, Surface::Rigid(_)));
-            let fault = Diagnostic::error(surface.span, format!("there is no surface `{name}`"));
-            diagnostics.push(fault.known(&name, rigid.map(|(name, _)| name.as_str())));
+            let token = Token { text: &surface.text, span: surface.span };
+            diagnostics.push(scene.unknown("surface", token, rigid.map(|(name, _)| name.as_str())));
             return;
         }
     }
@@ -193,7 +215,8 @@ pub fn body(entry: &Entry<'_>, scene: &mut Scene<'_>, diagnostics: &mut Diagnost
         return;
     };
     if scene.references.insert(name.clone(), reference).is_some() {
-        diagnostics.push(Diagnostic::error(surface.span, format!("surface `{name}` has a reference node already")));
+        let title = format!("surface `{}` has a reference node already", normalized(&surface.text));
+        diagnostics.push(Diagnostic::error(surface.span, title));
     }
 }
 

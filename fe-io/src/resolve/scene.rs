@@ -1,11 +1,8 @@
 //! What is known of the bodies while a deck is resolved.
 
-use super::labels::Labels;
+use super::names::Scope;
 use crate::deck::Deck;
-use crate::deck::card::{Token, normalized};
-use crate::deck::number::whole;
 use crate::deck::source::Span;
-use crate::diagnostic::{Diagnostic, Diagnostics};
 use fe_contact::rigid::RigidSurface;
 use fe_core::element::ElementType;
 use fe_core::structure::Structure;
@@ -31,16 +28,20 @@ pub struct Scene<'a> {
     pub deck: &'a Deck,
     /// Bodies.
     pub structure: Structure,
-    /// Node labels.
-    pub nodes: Labels,
+    /// Labels and names: of the model itself first, then of each instance of the mesh.
+    pub scopes: Vec<Scope>,
+    /// Scope of the card that is read: what it defines belongs there.
+    pub reading: usize,
+    /// Scope in which labels and names are looked up: that of the card, unless it names an instance.
+    pub inside: usize,
+    /// Name of the assembly.
+    pub assembly: Option<String>,
     /// Where each node's label stands, `[points]`.
     pub node_places: Vec<Span>,
-    /// Element labels, to indices into `cells`.
-    pub elements: Labels,
     /// Elements in the order of the deck.
     pub cells: Vec<CellId>,
-    /// Where each element's label stands, as `cells`.
-    pub cell_places: Vec<Span>,
+    /// Where each element's label stands, by block.
+    pub cell_places: Vec<Vec<Span>>,
     /// Surfaces, with the place of the name.
     pub surfaces: BTreeMap<String, (Surface, Span)>,
     /// Reference node of each rigid surface.
@@ -61,9 +62,11 @@ impl<'a> Scene<'a> {
         Scene {
             deck,
             structure: Structure::default(),
-            nodes: Labels::default(),
+            scopes: vec![Scope::default()],
+            reading: 0,
+            inside: 0,
+            assembly: None,
             node_places: Vec::new(),
-            elements: Labels::default(),
             cells: Vec::new(),
             cell_places: Vec::new(),
             surfaces: BTreeMap::new(),
@@ -81,6 +84,7 @@ impl<'a> Scene<'a> {
         known.unwrap_or_else(|| {
             self.structure.elements.push(element);
             self.structure.mesh.blocks.push(CellBlock::new(element.kind()));
+            self.cell_places.push(Vec::new());
             self.structure.elements.len() - 1
         })
     }
@@ -92,79 +96,6 @@ impl<'a> Scene<'a> {
 
     /// Where a cell's label stands.
     pub fn place_of(&self, cell: CellId) -> Option<Span> {
-        let ordinal = self.elements.get(self.structure.mesh.cell_label(cell))?;
-        self.cell_places.get(ordinal as usize).copied()
-    }
-
-    /// The node with a label; a missing one is told.
-    pub fn node(&self, token: Token<'_>, label: u64, diagnostics: &mut Diagnostics) -> Option<u32> {
-        let node = self.nodes.get(label);
-        if node.is_none() && !self.nodes.is_faulty(label) {
-            diagnostics.push(Diagnostic::error(token.span, format!("node {label} is not there")));
-        }
-        node
-    }
-
-    /// The element with a label; a missing one is told.
-    pub fn cell(&self, token: Token<'_>, label: u64, diagnostics: &mut Diagnostics) -> Option<CellId> {
-        let ordinal = self.elements.get(label);
-        if ordinal.is_none() && !self.elements.is_faulty(label) {
-            diagnostics.push(Diagnostic::error(token.span, format!("element {label} is not there")));
-        }
-        self.cells.get(ordinal? as usize).copied()
-    }
-
-    /// The nodes that a label or the name of a set means; `None` when it means nothing, which is told.
-    pub fn nodes_of(&self, token: Token<'_>, diagnostics: &mut Diagnostics) -> Option<Vec<u32>> {
-        match whole(token.text) {
-            Some(label) => self.node(token, label, diagnostics).map(|node| vec![node]),
-            None => set(&self.structure.mesh.node_sets, "node set", token, diagnostics).map(<[u32]>::to_vec),
-        }
-    }
-
-    /// The elements that a label or the name of a set means; `None` when it means nothing, which is told.
-    pub fn cells_of(&self, token: Token<'_>, diagnostics: &mut Diagnostics) -> Option<Vec<CellId>> {
-        match whole(token.text) {
-            Some(label) => self.cell(token, label, diagnostics).map(|cell| vec![cell]),
-            None => self.cell_set(token, diagnostics).map(<[CellId]>::to_vec),
-        }
-    }
-
-    /// An element set by name; `None` when it is missing or empty, which is told.
-    pub fn cell_set(&self, token: Token<'_>, diagnostics: &mut Diagnostics) -> Option<&[CellId]> {
-        let sets = &self.structure.mesh.cell_sets;
-        let name = normalized(token.text);
-        if self.faulty_sets.contains(&name) && sets.get(&name).is_none_or(Vec::is_empty) {
-            return None;
-        }
-        set(sets, "element set", token, diagnostics)
-    }
-
-    /// Label of a node.
-    pub fn node_label(&self, node: u32) -> u64 {
-        self.structure.mesh.point_labels[node as usize]
-    }
-}
-
-/// A set by name; a missing or an empty one is told.
-pub fn set<'m, T>(
-    sets: &'m BTreeMap<String, Vec<T>>,
-    kind: &str,
-    token: Token<'_>,
-    diagnostics: &mut Diagnostics,
-) -> Option<&'m [T]> {
-    let name = normalized(token.text);
-    match sets.get(&name) {
-        Some(set) if !set.is_empty() => Some(set),
-        Some(_) => {
-            let filled = sets.iter().filter(|(_, set)| !set.is_empty()).map(|(name, _)| name.as_str());
-            diagnostics.push(Diagnostic::error(token.span, format!("{kind} `{name}` is empty")).known(&name, filled));
-            None
-        }
-        None => {
-            let fault = Diagnostic::error(token.span, format!("there is no {kind} `{name}`"));
-            diagnostics.push(fault.known(&name, sets.keys().map(String::as_str)));
-            None
-        }
+        self.cell_places.get(cell.block as usize)?.get(cell.cell as usize).copied()
     }
 }

@@ -30,6 +30,7 @@ pub fn read(entries: &[Entry<'_>], materials: &Materials, scene: &mut Scene<'_>,
     let mut taken: Vec<Vec<Option<u32>>> = blocks.iter().map(|block| vec![None; block.len()]).collect();
     for (number, entry) in entries.iter().enumerate() {
         let Some(elset) = entry.value("ELSET") else { continue };
+        scene.enter(entry);
         let token = Token { text: &elset.text, span: elset.span };
         let cells: Vec<CellId> = scene.cell_set(token, diagnostics).unwrap_or_default().to_vec();
         let mut twice = None;
@@ -39,7 +40,7 @@ pub fn read(entries: &[Entry<'_>], materials: &Materials, scene: &mut Scene<'_>,
             *other = Some(number as u32);
         }
         if let Some((cell, other)) = twice {
-            let label = scene.structure.mesh.cell_label(cell);
+            let label = scene.cell_name(cell);
             let fault = Diagnostic::error(elset.span, format!("element {label} has two sections"));
             diagnostics.push(fault.related(entries[other as usize].card.span, "the other one"));
         }
@@ -48,6 +49,7 @@ pub fn read(entries: &[Entry<'_>], materials: &Materials, scene: &mut Scene<'_>,
             section(entry, of_type, materials, scene, diagnostics);
         }
     }
+    scene.leave();
     // A faulty section may be the one that is missing.
     let incomplete = |entry: &Entry<'_>| entry.keyword.parameters.iter().any(|p| p.required && !entry.has(p.name));
     if diagnostics.faults() > before || entries.iter().any(incomplete) {
@@ -82,7 +84,7 @@ fn suited(
     let Some((element, cells)) = of_type.iter().find(|(element, _)| !families.contains(&element.family())) else {
         return true;
     };
-    let (label, (card, _)) = (scene.structure.mesh.cell_label(cells[0]), card_of(*element));
+    let (label, (card, _)) = (scene.cell_name(cells[0]), card_of(*element));
     let title = format!("`*{name}` is not for {} elements such as {label}", element.name());
     diagnostics.push(Diagnostic::error(elset.span, title).label(format!("they have `*{card}`")));
     false
@@ -181,7 +183,7 @@ fn missing(block: usize, taken: &[Option<u32>], scene: &Scene<'_>, diagnostics: 
     let bare: Vec<usize> = (0..taken.len()).filter(|&i| taken[i].is_none()).collect();
     let Some(&first) = bare.first() else { return };
     let cell = CellId { block: block as u32, cell: first as u32 };
-    let (label, element) = (scene.structure.mesh.cell_label(cell), scene.element_of(cell));
+    let (label, element) = (scene.cell_name(cell), scene.element_of(cell));
     let (name, (card, parameters)) = (element.name(), card_of(element));
     let title = match bare.len() {
         1 => format!("element {label} ({name}) has no `*{card}`"),

@@ -1,9 +1,9 @@
 //! `*NSET` and `*ELSET`.
 
+use super::labels::Labels;
 use super::nodes::line_fields;
 use super::scene::Scene;
 use crate::deck::card::{Line, Token};
-use crate::deck::number::whole;
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::keyword::check::Entry;
 use crate::keyword::row::Row;
@@ -12,13 +12,11 @@ use std::collections::BTreeMap;
 
 /// Reads a node set.
 pub fn nodes(entry: &Entry<'_>, scene: &mut Scene<'_>, diagnostics: &mut Diagnostics) {
-    let Some(name) = entry.name("NSET") else { return };
+    let Some(name) = name(entry, scene, diagnostics) else { return };
     let mut members = of_elements(entry, scene, diagnostics);
     for line in scene.deck.lines(entry.card) {
         if entry.has("GENERATE") {
-            let labels = &scene.structure.mesh.point_labels;
-            let of_label = |label| scene.nodes.get(label);
-            members.extend(generated(entry, line, labels.iter().copied(), of_label, diagnostics));
+            members.extend(generated(entry, line, &scene.scopes[scene.inside].nodes, diagnostics));
         } else {
             let tokens = line.tokens().filter(|token| !token.text.is_empty());
             members.extend(tokens.filter_map(|token| node_or_set(token, scene, diagnostics)).flatten());
@@ -29,20 +27,35 @@ pub fn nodes(entry: &Entry<'_>, scene: &mut Scene<'_>, diagnostics: &mut Diagnos
 
 /// Reads an element set.
 pub fn cells(entry: &Entry<'_>, scene: &mut Scene<'_>, diagnostics: &mut Diagnostics) {
-    let Some(name) = entry.name("ELSET") else { return };
+    let Some(name) = name(entry, scene, diagnostics) else { return };
     let mut members = Vec::new();
     for line in scene.deck.lines(entry.card) {
         if entry.has("GENERATE") {
-            let mesh = &scene.structure.mesh;
-            let of_label = |label| scene.elements.get(label).map(|i| scene.cells[i as usize]);
-            let labels = mesh.blocks.iter().flat_map(|block| block.labels.iter().copied());
-            members.extend(generated(entry, line, labels, of_label, diagnostics));
+            let ordinals = generated(entry, line, &scene.scopes[scene.inside].elements, diagnostics);
+            members.extend(ordinals.into_iter().map(|ordinal| scene.cells[ordinal as usize]));
         } else {
             let tokens = line.tokens().filter(|token| !token.text.is_empty());
             members.extend(tokens.filter_map(|token| scene.cells_of(token, diagnostics)).flatten());
         }
     }
     add(entry, name, members, &mut scene.structure.mesh.cell_sets, diagnostics);
+}
+
+/// Full name of a set; from here on its members are looked up in the instance that the card names.
+fn name(entry: &Entry<'_>, scene: &mut Scene<'_>, diagnostics: &mut Diagnostics) -> Option<String> {
+    // `*NSET, NSET=` and `*ELSET, ELSET=`.
+    let parameter = entry.keyword.name;
+    let name = scene.new_name(entry.value(parameter)?, diagnostics)?;
+    if let Some(value) = entry.value("INSTANCE") {
+        let token = Token { text: &value.text, span: value.span };
+        if scene.reading > 0 {
+            let fault = Diagnostic::error(value.span, format!("`INSTANCE` of `*{parameter}` is for the assembly"));
+            diagnostics.push(fault.label("this set belongs to the part or instance it stands in"));
+            return None;
+        }
+        scene.inside = scene.instance(token, diagnostics)?;
+    }
+    Some(name)
 }
 
 /// Sets in ascending order, each member once.
@@ -60,7 +73,7 @@ pub fn sort(scene: &mut Scene<'_>) {
 
 /// One label stands for itself without a list of its own: sets of many labels are read quickly.
 fn node_or_set(token: Token<'_>, scene: &Scene<'_>, diagnostics: &mut Diagnostics) -> Option<Members<u32>> {
-    match whole(token.text) {
+    match scene.label(token.text) {
         Some(label) => scene.node(token, label, diagnostics).map(|node| Members { one: Some(node), more: Vec::new() }),
         None => scene.nodes_of(token, diagnostics).map(|more| Members { one: None, more }),
     }
@@ -88,14 +101,9 @@ fn of_elements(entry: &Entry<'_>, scene: &Scene<'_>, diagnostics: &mut Diagnosti
     cells.iter().flat_map(|&cell| scene.structure.mesh.cell(cell)).copied().collect()
 }
 
-/// `GENERATE`: first, last, step. Labels that are not there are left out, which is remarked.
-fn generated<T>(
-    entry: &Entry<'_>,
-    line: Line<'_>,
-    all: impl Iterator<Item = u64> + Clone,
-    of_label: impl Fn(u64) -> Option<T>,
-    diagnostics: &mut Diagnostics,
-) -> Vec<T> {
+/// `GENERATE`: first, last, step; the indices of these labels. Labels that are not there are left out, which is
+/// remarked.
+fn generated(entry: &Entry<'_>, line: Line<'_>, labels: &Labels, diagnostics: &mut Diagnostics) -> Vec<u32> {
     let row = Row::read(line, line_fields(entry, 1), diagnostics);
     let (Some(first), Some(last), true) = (row.whole(0), row.whole(1), row.sound) else { return Vec::new() };
     let step = row.whole(2).unwrap_or(1);
@@ -105,12 +113,11 @@ fn generated<T>(
         return Vec::new();
     }
     let wanted = (last - first) / step + 1;
-    let found: Vec<T> = if wanted as usize > all.clone().count() {
-        let mut labels: Vec<u64> = all.filter(|l| (first..=last).contains(l) && (l - first) % step == 0).collect();
-        labels.sort_unstable();
-        labels.into_iter().filter_map(&of_label).collect()
+    let found: Vec<u32> = if wanted > labels.count() as u64 {
+        let asked = |label: &u64| (first..=last).contains(label) && (label - first) % step == 0;
+        labels.ascending().into_iter().filter(asked).filter_map(|label| labels.get(label)).collect()
     } else {
-        (0..wanted).filter_map(|i| of_label(first + i * step)).collect()
+        (0..wanted).filter_map(|i| labels.get(first + i * step)).collect()
     };
     if found.is_empty() {
         diagnostics.push(Diagnostic::error(line.span, "none of these labels is there"));
@@ -128,11 +135,12 @@ fn add<T>(
     sets: &mut BTreeMap<String, Vec<T>>,
     diagnostics: &mut Diagnostics,
 ) {
+    let written = entry.name(entry.keyword.name).unwrap_or_default();
     if members.is_empty() && diagnostics.faults() == 0 {
-        diagnostics.push(Diagnostic::warning(entry.card.span, format!("set `{name}` gets nothing from this card")));
+        diagnostics.push(Diagnostic::warning(entry.card.span, format!("set `{written}` gets nothing from this card")));
     }
-    if name.starts_with(|c: char| c.is_ascii_digit()) {
-        let fault = Diagnostic::error(entry.card.span, format!("set name `{name}` begins with a digit"));
+    if written.starts_with(|c: char| c.is_ascii_digit()) {
+        let fault = Diagnostic::error(entry.card.span, format!("set name `{written}` begins with a digit"));
         diagnostics.push(fault.help("names of sets begin with a letter, so that labels can be told from them"));
     }
     sets.entry(name).or_default().extend(members);

@@ -85,7 +85,7 @@ impl Supports {
         };
         let other = other as usize;
         if self.items[other] != support {
-            let (label, freedom) = (scene.node_label(support.node), support.component + 1);
+            let (label, freedom) = (scene.node_name(support.node), support.component + 1);
             let fault = Diagnostic::error(at, format!("freedom {freedom} of node {label} is prescribed twice"));
             let first = format!("first here, {}", self.items[other].value);
             let fault = fault.label(format!("{}", support.value));

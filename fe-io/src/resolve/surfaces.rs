@@ -1,37 +1,49 @@
 //! `*SURFACE` of faces and of nodes.
 
+use super::combine;
 use super::faces::Shared;
 use super::nodes::line_fields;
 use super::rigid;
 use super::scene::{Scene, Surface};
-use crate::deck::card::Token;
+use crate::deck::card::{Token, normalized};
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::keyword::check::Entry;
 use crate::keyword::row::Row;
 use fe_mesh::{CellId, Face};
 
-/// Reads all surfaces of the model.
-pub fn read(entries: &[Entry<'_>], scene: &mut Scene<'_>, diagnostics: &mut Diagnostics) {
-    for entry in entries {
-        let Some(value) = entry.value("NAME") else { continue };
-        let name = crate::deck::card::normalized(&value.text);
-        if let Some((_, first)) = scene.surfaces.get(&name) {
-            let fault = Diagnostic::error(value.span, format!("surface `{name}` is there twice"));
-            diagnostics.push(fault.related(*first, "first here"));
-            continue;
-        }
-        let before = diagnostics.faults();
-        let surface = match entry.name("TYPE").unwrap_or_default().as_str() {
-            "" | "ELEMENT" => faces(entry, &name, scene, diagnostics),
-            "NODE" => nodes(entry, &name, scene, diagnostics),
-            kind => rigid::surface(entry, &name, kind, scene, diagnostics).map(Surface::Rigid),
-        };
-        let surface = match surface {
-            Some(surface) if diagnostics.faults() == before => surface,
-            _ => Surface::Faulty,
-        };
-        scene.surfaces.insert(name, (surface, value.span));
+/// Reads a surface.
+pub fn read(entry: &Entry<'_>, scene: &mut Scene<'_>, diagnostics: &mut Diagnostics) {
+    let Some(value) = entry.value("NAME") else { return };
+    let Some(name) = scene.new_name(value, diagnostics) else { return };
+    let written = normalized(&value.text);
+    if let Some((_, first)) = scene.surfaces.get(&name) {
+        let fault = Diagnostic::error(value.span, format!("surface `{written}` is there twice"));
+        diagnostics.push(fault.related(*first, "first here"));
+        return;
     }
+    let before = diagnostics.faults();
+    let surface = match entry.name("TYPE").unwrap_or_default().as_str() {
+        "" | "ELEMENT" => {
+            let faces = match entry.name("COMBINE") {
+                Some(how) => combine::faces(entry, &how, scene, diagnostics),
+                None => faces(entry, &written, scene, diagnostics),
+            };
+            faces.and_then(|faces| finish(entry, &written, faces, diagnostics)).map(|f| in_mesh(&name, f, scene))
+        }
+        "NODE" => nodes(entry, &written, scene, diagnostics).map(Surface::Nodes),
+        kind => rigid::surface(entry, &name, kind, scene, diagnostics).map(Surface::Rigid),
+    };
+    let surface = match surface {
+        Some(surface) if diagnostics.faults() == before => surface,
+        _ => Surface::Faulty,
+    };
+    scene.surfaces.insert(name, (surface, value.span));
+}
+
+/// Faces of elements stand in the mesh.
+fn in_mesh(name: &str, faces: Vec<Face>, scene: &mut Scene<'_>) -> Surface {
+    scene.structure.mesh.surfaces.insert(name.to_owned(), faces);
+    Surface::Faces
 }
 
 /// What a line of faces asks for.
@@ -40,7 +52,8 @@ enum Asked {
     Free,
 }
 
-fn faces(entry: &Entry<'_>, name: &str, scene: &mut Scene<'_>, diagnostics: &mut Diagnostics) -> Option<Surface> {
+/// The faces of the data lines, in their order.
+fn faces(entry: &Entry<'_>, name: &str, scene: &Scene<'_>, diagnostics: &mut Diagnostics) -> Option<Vec<Face>> {
     let mut faces: Vec<(Face, Token<'_>)> = Vec::new();
     let mut free: Vec<(Vec<CellId>, Token<'_>)> = Vec::new();
     let mut sound = true;
@@ -72,7 +85,7 @@ fn faces(entry: &Entry<'_>, name: &str, scene: &mut Scene<'_>, diagnostics: &mut
     let shared = Shared::of(mesh, faces.iter().map(|(face, _)| *face).chain(of_free));
     let inside = faces.iter().filter(|(face, _)| !shared.is_free(*face)).count();
     if let Some((face, at)) = faces.iter().find(|(face, _)| !shared.is_free(*face)) {
-        let label = mesh.cell_label(face.cell);
+        let label = scene.cell_name(face.cell);
         let title = format!("{inside} faces of surface `{name}` lie between two elements");
         diagnostics
             .push(Diagnostic::warning(at.span, title).label(format!("first: S{} of element {label}", face.face + 1)));
@@ -81,30 +94,28 @@ fn faces(entry: &Entry<'_>, name: &str, scene: &mut Scene<'_>, diagnostics: &mut
         let outer = cells.iter().flat_map(|&cell| all_faces(scene, cell)).filter(|face| shared.is_free(*face));
         faces.extend(outer.map(|face| (face, *token)));
     }
-    finish(entry, name, faces, scene, diagnostics)
+    Some(faces.into_iter().map(|(face, _)| face).collect())
 }
 
+/// Faces in ascending order, each once; none at all is a fault.
 fn finish(
     entry: &Entry<'_>,
     name: &str,
-    faces: Vec<(Face, Token<'_>)>,
-    scene: &mut Scene<'_>,
+    mut faces: Vec<Face>,
     diagnostics: &mut Diagnostics,
-) -> Option<Surface> {
+) -> Option<Vec<Face>> {
     let listed = faces.len();
-    let mut sorted: Vec<Face> = faces.into_iter().map(|(face, _)| face).collect();
-    sorted.sort_unstable();
-    sorted.dedup();
-    if sorted.is_empty() {
+    faces.sort_unstable();
+    faces.dedup();
+    if faces.is_empty() {
         diagnostics.push(Diagnostic::error(entry.card.span, format!("surface `{name}` has no faces")));
         return None;
     }
-    if sorted.len() < listed {
-        let title = format!("{} faces of surface `{name}` are listed twice", listed - sorted.len());
+    if faces.len() < listed {
+        let title = format!("{} faces of surface `{name}` are listed twice", listed - faces.len());
         diagnostics.push(Diagnostic::warning(entry.card.span, title).label("each counts once"));
     }
-    scene.structure.mesh.surfaces.insert(name.to_owned(), sorted);
-    Some(Surface::Faces)
+    Some(faces)
 }
 
 fn all_faces<'s>(scene: &'s Scene<'_>, cell: CellId) -> impl Iterator<Item = Face> + use<'s> {
@@ -122,7 +133,7 @@ fn with_face<'s>(
 ) -> impl Iterator<Item = Face> + use<'s> {
     let has = move |cell: &CellId| (face as usize) < scene.structure.mesh.kind(*cell).faces().len();
     if let Some(&cell) = cells.iter().find(|cell| !has(cell)) {
-        let (element, label) = (scene.element_of(cell), scene.structure.mesh.cell_label(cell));
+        let (element, label) = (scene.element_of(cell), scene.cell_name(cell));
         let count = element.kind().faces().len();
         let title = format!("element {label} has no face `{}`", told.text);
         let fault = Diagnostic::error(told.span, title);
@@ -148,7 +159,13 @@ fn face_number(token: Token<'_>, diagnostics: &mut Diagnostics) -> Option<u8> {
     None
 }
 
-fn nodes(entry: &Entry<'_>, name: &str, scene: &Scene<'_>, diagnostics: &mut Diagnostics) -> Option<Surface> {
+/// Nodes, each with its area [L²] where one is given.
+fn nodes(
+    entry: &Entry<'_>,
+    name: &str,
+    scene: &Scene<'_>,
+    diagnostics: &mut Diagnostics,
+) -> Option<Vec<(u32, Option<f64>)>> {
     let mut nodes: Vec<(u32, Option<f64>)> = Vec::new();
     let before = diagnostics.faults();
     for line in scene.deck.lines(entry.card) {
@@ -170,5 +187,5 @@ fn nodes(entry: &Entry<'_>, name: &str, scene: &Scene<'_>, diagnostics: &mut Dia
         let title = format!("{} nodes of surface `{name}` are listed twice", listed - nodes.len());
         diagnostics.push(Diagnostic::warning(entry.card.span, title).label("each counts once, with its first area"));
     }
-    Some(Surface::Nodes(nodes))
+    Some(nodes)
 }
