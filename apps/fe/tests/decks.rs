@@ -22,6 +22,7 @@ decks! {
     blocks_node_based
     blocks_penalty_fields
     mesh_gmsh_blocks
+    parts_assembly
     patch_c3d8
     plane_stress_linear
     thick_cylinder

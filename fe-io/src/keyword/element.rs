@@ -26,7 +26,10 @@ pub const ELSET: Keyword = Keyword {
         Parameter::flag("GENERATE", "each data line is first, last, step"),
         Parameter::idle("UNSORTED", "sets are kept in ascending order"),
         Parameter::silent("INTERNAL", "of no meaning here"),
-        Parameter::name("INSTANCE", "in the assembly: the labels and sets of the data lines are those of this instance"),
+        Parameter::name(
+            "INSTANCE",
+            "in the assembly: the labels and sets of the data lines are those of this instance",
+        ),
     ],
     data: Data::Lines(&[
         DataLine::many(&[

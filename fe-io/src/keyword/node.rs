@@ -37,7 +37,10 @@ pub const NSET: Keyword = Keyword {
         Parameter::idle("UNSORTED", "sets are kept in ascending order"),
         Parameter::silent("INTERNAL", "of no meaning here"),
         Parameter::idle("FREQUENCY", "of no meaning for a set"),
-        Parameter::name("INSTANCE", "in the assembly: the labels and sets of the data lines are those of this instance"),
+        Parameter::name(
+            "INSTANCE",
+            "in the assembly: the labels and sets of the data lines are those of this instance",
+        ),
     ],
     data: Data::Lines(&[
         DataLine::many(&[Field::word("node or set", "label of a node, or a node set defined above").repeats()]),

@@ -64,7 +64,10 @@ impl<'a> Places<'a> {
 
     fn here(&self) -> Place<'a> {
         let last = |names: &[&str]| self.open.iter().rev().find(|(_, block)| names.contains(&block.0));
-        Place { step: last(&["STEP"]).map(|_| self.steps - 1), block: last(&["PART", "INSTANCE"]).map(|(card, _)| *card) }
+        Place {
+            step: last(&["STEP"]).map(|_| self.steps - 1),
+            block: last(&["PART", "INSTANCE"]).map(|(card, _)| *card),
+        }
     }
 
     fn begin(
@@ -106,7 +109,9 @@ impl<'a> Places<'a> {
             (Some((step, ("STEP", ..))), Level::Model | Level::Part | Level::Assembly) => {
                 let explicit = EXPLICIT.contains(&keyword.name);
                 let fault = match explicit {
-                    true => fault("in a step is for explicit dynamics".into()).help("write it before the first `*STEP`"),
+                    true => {
+                        fault("in a step is for explicit dynamics".into()).help("write it before the first `*STEP`")
+                    }
                     false => fault("belongs to the model, not into a step".into()),
                 };
                 fault.related(step.span, "the step begins here")
@@ -124,7 +129,9 @@ impl<'a> Places<'a> {
                 let fault = fault.related(block.span, format!("the {} begins here", begin.to_lowercase()));
                 fault.help(format!("write it after `*{end}`"))
             }
-            (None, _) if self.steps > 0 => fault("stands after a step".into()).help("write the model before the first `*STEP`"),
+            (None, _) if self.steps > 0 => {
+                fault("stands after a step".into()).help("write the model before the first `*STEP`")
+            }
             (None, _) => return,
         };
         diagnostics.push(fault);

@@ -13,12 +13,7 @@ use fe_mesh::Face;
 const NAMES: usize = 6;
 
 /// The faces of a combination.
-pub fn faces(
-    entry: &Entry<'_>,
-    how: &str,
-    scene: &Scene<'_>,
-    diagnostics: &mut Diagnostics,
-) -> Option<Vec<Face>> {
+pub fn faces(entry: &Entry<'_>, how: &str, scene: &Scene<'_>, diagnostics: &mut Diagnostics) -> Option<Vec<Face>> {
     let rows: Vec<Row<'_>> =
         scene.deck.lines(entry.card).map(|line| Row::read(line, line_fields(entry, NAMES), diagnostics)).collect();
     let names: Vec<Token<'_>> = rows.iter().flat_map(|row| (0..row.len()).filter_map(|i| row.token(i))).collect();

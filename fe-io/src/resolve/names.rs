@@ -75,7 +75,8 @@ impl Scene<'_> {
     pub fn new_name(&self, value: &Value, diagnostics: &mut Diagnostics) -> Option<String> {
         if self.scopes.len() > 1 && value.text.contains('.') {
             let fault = Diagnostic::error(value.span, format!("the name `{}` holds a point", normalized(&value.text)));
-            diagnostics.push(fault.help("with parts, points stand between an instance and what it holds: INSTANCE.SET"));
+            diagnostics
+                .push(fault.help("with parts, points stand between an instance and what it holds: INSTANCE.SET"));
             return None;
         }
         Some(self.own_name(&value.text))

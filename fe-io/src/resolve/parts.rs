@@ -4,6 +4,7 @@ use super::motion::{Motion, Rotation};
 use super::scene::Scene;
 use crate::deck::card::{Card, normalized};
 use crate::diagnostic::{Diagnostic, Diagnostics};
+use crate::keyword::Level;
 use crate::keyword::check::Entry;
 use crate::keyword::parts::{ROTATION, TRANSLATION};
 use crate::keyword::row::Row;
@@ -24,13 +25,16 @@ pub fn placed<'a>(entries: &[Entry<'a>], scene: &mut Scene<'a>, diagnostics: &mu
             "INSTANCE" => {
                 let part = part_of(entry, &mut parts, diagnostics);
                 scope = instance(entry, scene, diagnostics).unwrap_or(0);
-                let cards = entries.iter().filter(|of| part.is_some() && of.block.map(|b| b.span) == part.map(|p| p.span));
-                placed.extend(cards.map(|of| Entry { scope, ..*of }));
+                let cards =
+                    entries.iter().filter(|of| part.is_some() && of.block.map(|b| b.span) == part.map(|p| p.span));
+                placed.extend(cards.filter(|of| of.keyword.level == Level::Part).map(|of| Entry { scope, ..*of }));
             }
-            _ => match entry.block {
-                Some(block) if block.keyword == "PART" => {}
-                Some(_) => placed.push(Entry { scope, ..*entry }),
-                None => placed.push(*entry),
+            _ => match (entry.block, entry.keyword.level) {
+                (Some(block), Level::Part) if block.keyword == "PART" => {}
+                (Some(_), Level::Part) => placed.push(Entry { scope, ..*entry }),
+                // In a wrong place, which was told; a material is known there, too.
+                (None, _) | (_, Level::Model) => placed.push(*entry),
+                _ => {}
             },
         }
     }

@@ -23,6 +23,11 @@ pub fn read(entry: &Entry<'_>, scene: &mut Scene<'_>, diagnostics: &mut Diagnost
     }
     let before = diagnostics.faults();
     let surface = match entry.name("TYPE").unwrap_or_default().as_str() {
+        "NODE" | "SEGMENTS" | "CYLINDER" | "REVOLUTION" if entry.has("COMBINE") => {
+            let fault = Diagnostic::error(entry.card.span, "`COMBINE` is for surfaces of faces");
+            diagnostics.push(fault.help("leave `TYPE` out, and name surfaces of faces"));
+            None
+        }
         "" | "ELEMENT" => {
             let faces = match entry.name("COMBINE") {
                 Some(how) => combine::faces(entry, &how, scene, diagnostics),
@@ -98,12 +103,7 @@ fn faces(entry: &Entry<'_>, name: &str, scene: &Scene<'_>, diagnostics: &mut Dia
 }
 
 /// Faces in ascending order, each once; none at all is a fault.
-fn finish(
-    entry: &Entry<'_>,
-    name: &str,
-    mut faces: Vec<Face>,
-    diagnostics: &mut Diagnostics,
-) -> Option<Vec<Face>> {
+fn finish(entry: &Entry<'_>, name: &str, mut faces: Vec<Face>, diagnostics: &mut Diagnostics) -> Option<Vec<Face>> {
     let listed = faces.len();
     faces.sort_unstable();
     faces.dedup();
