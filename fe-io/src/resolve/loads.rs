@@ -142,7 +142,7 @@ fn on_lines(
     let cells = scene.cells_of(token, diagnostics)?;
     let line = |cell: &CellId| matches!(scene.element_of(*cell).family(), Family::Truss | Family::Beam);
     let title = if let Some(&cell) = cells.iter().find(|cell| !line(cell)) {
-        let label = scene.structure.mesh.cell_label(cell);
+        let label = scene.cell_name(cell);
         format!("element {label} ({}) is neither truss nor beam", scene.element_of(cell).name())
     } else if component == 2 && scene.structure.is_plane() {
         "a force on lines of a plane model lies in its plane".into()

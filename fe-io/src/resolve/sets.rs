@@ -114,7 +114,7 @@ fn generated(entry: &Entry<'_>, line: Line<'_>, labels: &Labels, diagnostics: &m
     }
     let wanted = (last - first) / step + 1;
     let found: Vec<u32> = if wanted > labels.count() as u64 {
-        let asked = |label: &u64| (first..=last).contains(label) && (label - first) % step == 0;
+        let asked = |label: &u64| (first..=last).contains(label) && (label - first).is_multiple_of(step);
         labels.ascending().into_iter().filter(asked).filter_map(|label| labels.get(label)).collect()
     } else {
         (0..wanted).filter_map(|i| labels.get(first + i * step)).collect()
