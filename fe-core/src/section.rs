@@ -38,6 +38,20 @@ pub struct LineSection {
     pub first_axis: [f64; 3],
 }
 
+impl LineSection {
+    /// Relative error that rounding may leave in the deflection of shear-flexible beams of a body of this length [L] and
+    /// so many elements along it: ε n κ G A L² / E I, the condition of thin beams; seen on cantilevers of 1 to 64 elements
+    /// and L / t = 10² to 10⁶ as an upper bound. Nothing for others.
+    pub fn rounding(&self, length: f64, elements: f64) -> Option<f64> {
+        let p = &self.profile;
+        let plane = self.element == ElementType::B21;
+        let least = if plane { p.i11 } else { p.i11.min(p.i22) };
+        let shear = p.shear_factor * self.shear * p.area * length * length;
+        let flexible = plane || self.element == ElementType::B31;
+        flexible.then(|| f64::EPSILON * elements * shear / (self.young * least))
+    }
+}
+
 /// A cross-section. Axis 2 is the line's direction times axis 1.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Profile {

@@ -109,7 +109,10 @@ fn what_does_not_fit_is_refused_and_leaves_the_file_whole() {
     let frame = Frame { time: 0.0, step: 1, increment: 1, fields: &fields };
     assert!(matches!(file.append(&frame, &[]), Err(ResultsError::Length { expected: 36, found: 5, .. })));
     let frame = Frame { fields: &fields[1..], ..frame };
-    assert!(matches!(file.append(&frame, &[]), Err(ResultsError::Length { expected: 12, found: 11, .. })));
+    let refused = file.append(&frame, &[]);
+    assert!(
+        matches!(refused, Err(ResultsError::Length { expected, found, .. }) if (expected, found) == (FIELDS.len(), FIELDS.len() - 1))
+    );
     let unknown = HistoryRow { name: "ALLSE", values: &[1.0] };
     assert!(matches!(file.append_history(0.5, 1, 1, &[unknown]), Err(ResultsError::UnknownHistory(_))));
     let short = HistoryRow { name: "Certificate", values: &[1.0] };

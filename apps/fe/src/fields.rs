@@ -66,6 +66,8 @@ impl Source<'_> {
             ("S", Location::Cell) => self.cells(Tensor::Stress).concat(),
             ("E", Location::Cell) => self.cells(Tensor::Strain).concat(),
             ("MISES", Location::Cell) => self.cells(Tensor::Stress).iter().map(mises).collect(),
+            ("SF", _) => self.section_forces(0),
+            ("SM", _) => self.section_forces(3),
             ("CPRESS", _) => self.contact(|node| node.opening.map_or(f64::NAN, |_| node.pressure), f64::max),
             ("COPEN", _) => self.contact(|node| node.opening.unwrap_or(f64::NAN), f64::min),
             ("CSTATUS", _) => self.contact(|node| status(node.status), f64::max),
@@ -126,6 +128,20 @@ impl Source<'_> {
                 let values: Vec<[f64; 6]> = states.iter().map(|state| along(state, tensor)).collect();
                 let mean = |c: usize| values.iter().map(|v| v[c]).sum::<f64>() / n as f64;
                 out[first[cell.block as usize] + cell.cell as usize] = std::array::from_fn(mean);
+            }
+        }
+        out
+    }
+
+    /// Three of N, Q₁, Q₂, M₁, M₂, T of each truss and beam, in the mesh's order.
+    fn section_forces(&self, from: usize) -> Vec<f64> {
+        let mesh = &self.terms.structure.mesh;
+        let first = mesh.first_cells();
+        let mut out = vec![f64::NAN; 3 * mesh.cell_count()];
+        for members in &self.terms.members {
+            for (cell, forces) in members.cells().iter().zip(members.mean_section_forces(&self.at.u)) {
+                let place = 3 * (first[cell.block as usize] + cell.cell as usize);
+                out[place..place + 3].copy_from_slice(&forces[from..from + 3]);
             }
         }
         out

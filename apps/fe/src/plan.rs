@@ -239,7 +239,7 @@ fn leaves_out(terms: &Terms, unknowns: usize) -> Vec<String> {
         }
     }
     if unknowns > 0 {
-        out.push("stiffness of the solids per iteration: they are linear, it is assembled once".into());
+        out.push("stiffness of the elements per iteration: they are linear, it is assembled once".into());
     }
     out.push("mass and velocity: the step is static".into());
     out

@@ -175,7 +175,8 @@ fn sections_of_cells(terms: &Terms) -> Vec<u32> {
     body
 }
 
-/// The fields that any step asks for; all that make sense where none chooses. No contact field without a pair.
+/// The fields that any step asks for; all that make sense where none chooses. No contact field without a pair, no section force
+/// without a line.
 pub fn chosen_fields(model: &Model, terms: &Terms) -> Vec<FieldInfo> {
     let wanted = |field: &FieldInfo| {
         model.steps.iter().any(|step| match &step.output.fields {
@@ -184,7 +185,10 @@ pub fn chosen_fields(model: &Model, terms: &Terms) -> Vec<FieldInfo> {
         })
     };
     let contact = |field: &FieldInfo| field.name.starts_with('C');
-    FIELDS.iter().filter(|f| wanted(f) && (!contact(f) || !terms.contacts.is_empty())).copied().collect()
+    let line = |field: &FieldInfo| matches!(field.name, "SF" | "SM");
+    let there =
+        |f: &&FieldInfo| !(contact(f) && terms.contacts.is_empty() || line(f) && terms.structure.lines.is_empty());
+    FIELDS.iter().filter(|f| wanted(f)).filter(there).copied().collect()
 }
 
 /// Names of the pairs' histories: `/` and `.` cannot stand in them, and each is there once.

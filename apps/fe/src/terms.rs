@@ -11,7 +11,7 @@ use fe_core::element::Family;
 use fe_core::member::{BadMember, Members};
 use fe_core::procedure::Converged;
 use fe_core::solid::SolidBlock;
-use fe_core::structure::Structure;
+use fe_core::structure::{LineSection, Structure};
 use fe_core::term::Term;
 use fe_io::Model;
 use fe_io::model::Step;
@@ -68,6 +68,7 @@ impl Terms {
         }
         let members = members(&structure, &freedoms).map_err(|e| e.to_string())?;
         let bodies = bodies(&structure, &model.references);
+        notes.extend(thin_beams(&structure, &bodies));
         Ok(Terms { structure, freedoms, solids, members, contacts, bodies, notes, search_seconds })
     }
 
@@ -123,6 +124,29 @@ impl Terms {
             None => format!("the body of node {}", mesh.point_labels[body.nodes[0] as usize]),
         }
     }
+}
+
+/// Relative error of deflections that is told.
+const TOLD: f64 = 1e-6;
+
+/// Shear-flexible beams so thin that rounding shows, a line for each section.
+fn thin_beams(structure: &Structure, bodies: &[Body]) -> Vec<String> {
+    let mesh = &structure.mesh;
+    let told = |section: &LineSection| {
+        let cell = *section.cells.first()?;
+        let [a, b] = [0, 1].map(|i| mesh.cell(cell)[i]);
+        let body = bodies.iter().find(|body| body.nodes.binary_search(&a).is_ok())?;
+        let [p, q] = [a, b].map(|n| mesh.points[n as usize]);
+        let element = (0..3).map(|i| (q[i] - p[i]).powi(2)).sum::<f64>().sqrt();
+        let length = 2.0 * body.size;
+        let rounding = section.rounding(length, length / element).filter(|rounding| *rounding > TOLD)?;
+        let (name, of, instead) =
+            (section.element.name(), &section.name, if structure.is_plane() { "B23" } else { "B33" });
+        Some(format!(
+            "warning: {name} elements of {of} are so thin that rounding may cost {rounding:.0e} of their deflection; {instead} loses nothing"
+        ))
+    };
+    structure.lines.iter().filter_map(told).collect()
 }
 
 /// Trusses and beams, then springs. Dashpots and masses do nothing in a static step.

@@ -80,6 +80,28 @@ impl Members {
         states.map(|(strain, stress, ..)| (strain, stress)).collect()
     }
 
+    /// Section forces N, Q₁, Q₂ [F] and moments M₁, M₂, T [F L] of each cell, means over its length; those of slender
+    /// beams by equilibrium, Q₁ = −M₂′ and Q₂ = M₁′. Nothing of springs.
+    pub fn mean_section_forces(&self, u: &[f64]) -> Vec<[f64; 6]> {
+        let family = self.element.family();
+        let cells = if matches!(family, Family::Truss | Family::Beam) { self.cells.len() } else { 0 };
+        let mean = |cell: usize| {
+            let (mut sum, mut length, mut ends) = ([0.0; 6], 0.0, Vec::new());
+            for (_, force, _, weight) in self.states(cell, u) {
+                force.iter().enumerate().for_each(|(i, force)| sum[i] += weight * force);
+                length += weight;
+                ends.push(force);
+            }
+            let [n, m1, m2, t, mut q1, mut q2] = sum.map(|s| s / length);
+            if let ([first, last], Family::Beam) = (ends.as_slice(), family) {
+                let apart = length / 3f64.sqrt();
+                (q1, q2) = ((first[2] - last[2]) / apart, (last[1] - first[1]) / apart);
+            }
+            [n, q1, q2, m1, m2, t]
+        };
+        (0..cells).map(mean).collect()
+    }
+
     /// Sum of the forces [F] by direction with which the elements resist a displacement: zero but for springs that are
     /// fixed to the ground, or that turn a force.
     pub fn resultant(&self, freedoms: &Freedoms, u: &[f64]) -> [f64; 3] {

@@ -6,7 +6,8 @@ use crate::model::Place;
 use fe_contact::pair::PairDefinition;
 use fe_contact::surface::{Main, Secondary};
 use fe_mesh::check::coincident_points;
-use fe_mesh::{Face, Mesh};
+use fe_mesh::{CellKind, Face, Mesh};
+use std::collections::HashSet;
 
 /// Nodes this near, of the model's size, are at the same place [-].
 const SAME_PLACE: f64 = 1e-10;
@@ -40,6 +41,13 @@ fn coincident(scene: &Scene<'_>) -> Vec<(u32, u32)> {
     mesh.blocks.iter().flat_map(|block| &block.nodes).for_each(|&n| used[n as usize] = true);
     let mut found = coincident_points(&mesh.points, SAME_PLACE);
     found.retain(|&(a, b)| used[a as usize] && used[b as usize]);
+    // Springs, gaps and the like join nodes at one place.
+    if !found.is_empty() {
+        let short = mesh.blocks.iter().filter(|block| block.kind == CellKind::Line2);
+        let joined: HashSet<(u32, u32)> =
+            short.flat_map(|block| block.nodes.chunks_exact(2)).map(|n| (n[0].min(n[1]), n[0].max(n[1]))).collect();
+        found.retain(|pair| !joined.contains(pair));
+    }
     found
 }
 

@@ -7,6 +7,8 @@ use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::keyword::check::Entry;
 use crate::model::{ForcePart, Output, Place, Quantity, Table, Totals};
 use fe_contact::pair::PairDefinition;
+use fe_core::element::Family;
+use fe_mesh::CellId;
 use std::collections::BTreeMap;
 
 /// Set of all nodes, for requests without `NSET`.
@@ -149,7 +151,7 @@ const KINDS: &[&str] = &["NODE", "ELEMENT", "CONTACT"];
 fn known_fields(kind: &str) -> &'static [&'static str] {
     match kind {
         "NODE" => &["U", "RF"],
-        "ELEMENT" => &["S", "E", "MISES"],
+        "ELEMENT" => &["S", "E", "MISES", "SF", "SM"],
         _ => &["CSTRESS", "CDISP", "CSTATUS", "CFORCE"],
     }
 }
@@ -166,7 +168,7 @@ fn full_name(word: &str) -> &str {
 /// Keys that decks know and this program does not.
 const NOT_YET: &[&str] = &[
     "V", "A", "NT", "NT11", "RFL", "RFL11", "TSF", "TF", "RM", "UR", "UT", "COORD", "POR", "PEEQ", "PE", "LE", "EE",
-    "NE", "ME", "THE", "SDV", "ENER", "EVOL", "ELSE", "ELKE", "EMAS", "EBHE", "SENER", "HFL", "SF", "SINV", "SP", "EP",
+    "NE", "ME", "THE", "SDV", "ENER", "EVOL", "ELSE", "ELKE", "EMAS", "EBHE", "SENER", "HFL", "SINV", "SP", "EP",
     "PEMAG", "PEQC", "CELS", "CNUM", "CAREA", "CNAREA", "CDSTRESS", "PCON", "PHS", "MAXE", "ZZS", "ERR", "KEQ", "CFT",
     "CM", "CMN", "CMS", "CMT", "XN", "XS", "XT", "CTRQ", "SOF", "SOM", "SOAREA", "STATUS", "VOLC", "SDEG", "ZZSERR",
 ];
@@ -230,6 +232,14 @@ fn tables_of(
     }
     if !tables.is_empty() {
         without_effect(entry, &tables, diagnostics);
+    }
+    let bare = |cell: &&CellId| scene.element_of(**cell).family() == Family::Beam;
+    if star == "EL PRINT"
+        && let Some(beam) = scene.structure.mesh.cell_sets.get(&set).and_then(|cells| cells.iter().find(bare))
+    {
+        let title = format!("{} elements print no stresses", scene.element_of(*beam).name());
+        let note = Diagnostic::note(entry.card.span, title).label("left out of this table");
+        diagnostics.push(note.help("section forces SF and SM stand in the results file"));
     }
     if star == "CONTACT PRINT" && pairs.is_empty() && diagnostics.faults() == 0 {
         let warning = Diagnostic::warning(entry.card.span, "the deck has no contact pair");

@@ -150,10 +150,20 @@ fn existing(line: &Line<'_>, nodes: &[u32], scene: &Scene<'_>, diagnostics: &mut
         return;
     }
     let fault = Diagnostic::error(line.at, title);
+    let translations = if scene.structure.is_plane() { 0b11 } else { 0b111 };
     diagnostics.push(match all {
         0 => fault.label("they belong to no element"),
         _ if rigid_rings => fault.label("a rigid body around an axis moves along it only: freedom 2"),
-        _ if scene.structure.is_plane() => fault.label("plane elements move in x and y: freedoms 1 and 2"),
-        _ => fault.label("solid elements have translations only: freedoms 1 to 3"),
+        _ if all != translations => fault.label(format!("they have freedom {}", listed_freedoms(all))),
+        _ if scene.structure.is_plane() => {
+            fault.label("solids and trusses of the plane move in x and y: freedoms 1 and 2")
+        }
+        _ => fault.label("solids and trusses have translations only: freedoms 1 to 3"),
     });
+}
+
+/// The freedoms of a mask as decks number them.
+fn listed_freedoms(mask: u8) -> String {
+    let freedoms: Vec<String> = (0..6).filter(|c| mask >> c & 1 == 1).map(|c| (c + 1).to_string()).collect();
+    freedoms.join(", ")
 }

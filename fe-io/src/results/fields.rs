@@ -37,6 +37,10 @@ const VECTOR: &[&str] = &["x", "y", "z"];
 /// VTK's order of a symmetric tensor.
 const TENSOR: &[&str] = &["xx", "yy", "zz", "xy", "yz", "xz"];
 
+/// Section forces of lines, and moments.
+const FORCES: &[&str] = &["N", "Q1", "Q2"];
+const MOMENTS: &[&str] = &["M1", "M2", "T"];
+
 const fn field(name: &'static str, request: &'static str, unit: &'static str, meaning: &'static str) -> FieldInfo {
     FieldInfo { name, request, components: &[], location: Location::Point, unit, meaning }
 }
@@ -63,6 +67,8 @@ pub const FIELDS: &[FieldInfo] = &[
     at_cells(with(TENSOR, field("S", "S", "F/L²", "stress, mean over the integration points"))),
     at_cells(with(TENSOR, field("E", "E", "1", "strain, tensor components, mean over the integration points"))),
     at_cells(field("MISES", "MISES", "F/L²", "Mises stress of the mean stress")),
+    at_cells(with(FORCES, field("SF", "SF", "F", "normal and shear forces of trusses and beams, mean"))),
+    at_cells(with(MOMENTS, field("SM", "SM", "F L", "bending moments about axes 1 and 2, and torque, of beams, mean"))),
 ];
 
 /// The fields a word of an output card stands for: the request or one array's own name, in any case; none when

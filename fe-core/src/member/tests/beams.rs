@@ -113,6 +113,14 @@ fn section_forces_of_a_cantilever() {
         assert!((forces[1] + LOAD * (LENGTH - x)).abs() < 1e-9 * LOAD * LENGTH, "{forces:?}");
         assert!((forces[0] - 50.0).abs() < 1e-9 && forces[2].abs() < 1e-6 && forces[3].abs() < 1e-6);
     }
+    // The shear along axis 2 is the load, in both kinds of beam.
+    for element in [B33, B31] {
+        let scene = cantilever(element, 1, Profile::rectangle(SIDE, SIDE));
+        let u = scene.solve(&clamped(0, &[0, 1, 2, 3, 4, 5]), &[(force(1, 1), LOAD), (force(1, 0), 50.0)]);
+        let [n, q1, q2, m1, m2, t] = scene.members()[0].mean_section_forces(&u)[0];
+        assert!((n - 50.0).abs() < 1e-9 && (q2 - LOAD).abs() < 1e-6 && (m1 + 0.5 * LOAD * LENGTH).abs() < 1e-5);
+        assert!(q1.abs() < 1e-6 && m2.abs() < 1e-5 && t.abs() < 1e-5, "{q1} {m2} {t}");
+    }
 }
 
 /// See the trusses for the bound; six rigid motions are free of force.
