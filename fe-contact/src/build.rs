@@ -8,6 +8,7 @@ use crate::enforce::TOUCH;
 use crate::error::PairError;
 use crate::facet::{Facet, Vec3};
 use crate::interaction::{Enforcement, Interaction, NormalBehavior};
+use crate::line;
 use crate::node_to_surface::{self, Node};
 use crate::overlap::Sides;
 use crate::pair::{Discretization, PairDefinition};
@@ -46,7 +47,7 @@ impl Contact {
             Main::Rigid { reference, .. } => Some(*reference),
             Main::Faces(_) => None,
         };
-        let measure = measures(definition, &sides, interaction, discretization);
+        let measure = measures((structure, definition), &sides, interaction, discretization);
         let points: Vec<ContactPoint> = constraints
             .shares
             .into_iter()
@@ -157,10 +158,15 @@ fn check_numbers(interaction: &Interaction) -> Result<(), PairError> {
 fn settle(definition: &PairDefinition, sides: &mut Prepared) -> Result<Discretization, PairError> {
     use Discretization::*;
     let mut discretization = definition.discretization;
-    if discretization == SurfaceToSurface && matches!(definition.secondary, Secondary::Nodes(_)) {
+    let without_faces = match definition.secondary {
+        Secondary::Faces(_) => None,
+        Secondary::Nodes(_) => Some("a set of nodes"),
+        Secondary::Lines(_) => Some("a line"),
+    };
+    if let (SurfaceToSurface, Some(what)) = (discretization, without_faces) {
         discretization = NodeToSurface;
         sides.notes.push(format!(
-            "surface {} is a set of nodes: node to surface is used instead of surface to surface",
+            "surface {} is {what}: node to surface is used instead of surface to surface",
             definition.secondary_name
         ));
     }
@@ -276,7 +282,7 @@ fn begins_inside(
 
 /// How much surface each node stands for; the second argument is the area of the overlap.
 fn measures(
-    definition: &PairDefinition,
+    (structure, definition): (&Structure, &PairDefinition),
     sides: &Prepared,
     interaction: &Interaction,
     discretization: Discretization,
@@ -290,6 +296,9 @@ fn measures(
             let area = |a: Option<f64>| a.or(interaction.measure).map_or(Measure::Point, Measure::Area);
             list.iter().rev().map(|&(n, a)| (n, area(a))).collect()
         }
+        (Secondary::Lines(cells), _) => {
+            line::lengths(structure, cells).into_iter().map(|(n, length)| (n, Measure::Length(length))).collect()
+        }
     };
     move |node, overlap| areas.get(&node).copied().unwrap_or(Measure::Area(overlap))
 }
@@ -297,9 +306,11 @@ fn measures(
 /// What the elements beneath and the facets say of a pair.
 fn ground(structure: &Structure, sides: &Prepared, definition: &PairDefinition) -> Ground {
     let each = [&sides.secondary, &sides.main].map(|facets| stiffness::beneath(structure, facets));
+    let (beneath, length) = (each.into_iter().flatten().reduce(f64::min), facet_length(sides));
     Ground {
-        beneath: each.into_iter().flatten().reduce(f64::min),
-        length: facet_length(sides),
+        // A line presses on a strip of the main side as wide as its facets.
+        beneath: beneath.map(|k| if matches!(definition.secondary, Secondary::Lines(_)) { k * length } else { k }),
+        length,
         slides_far: definition.discretization == Discretization::SurfaceToSurface && !definition.small_sliding,
     }
 }

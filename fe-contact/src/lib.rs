@@ -15,6 +15,7 @@ pub mod facet;
 pub mod first_contact;
 pub mod interaction;
 pub mod law;
+mod line;
 pub mod node_to_surface;
 pub mod overlap;
 pub mod pair;

@@ -50,6 +50,7 @@ impl Prepared {
                 }
                 sides.secondary_nodes = set.into_iter().collect();
             }
+            Secondary::Lines(_) => sides.secondary_nodes = pair.secondary.nodes(&structure.mesh),
         }
         match &pair.main {
             Main::Faces(faces) => {
@@ -96,10 +97,7 @@ const FAR: f64 = 8.0;
 /// The least coordinates of both sides where they are far away, else 0; radii stay what they are.
 fn origin(structure: &Structure, pair: &PairDefinition) -> Vec3 {
     let of_faces = |faces: &[Face]| faces.iter().flat_map(|&face| structure.mesh.face(face).1).collect::<Vec<u32>>();
-    let mut nodes = match &pair.secondary {
-        Secondary::Faces(faces) => of_faces(faces),
-        Secondary::Nodes(list) => list.iter().map(|n| n.0).collect(),
-    };
+    let mut nodes = pair.secondary.nodes(&structure.mesh);
     if let Main::Faces(faces) = &pair.main {
         nodes.extend(of_faces(faces));
     }

@@ -85,9 +85,11 @@ impl CellKind {
 
     /// The faces in the decks' numbering (S1 first): kind and local nodes of each, ordered so that the normal
     /// by the right-hand rule points out of the cell. A plane cell's faces are its edges, traversed
-    /// counter-clockwise, the body on the left. Empty for kinds that carry no element yet.
+    /// counter-clockwise, the body on the left; a line in the plane has two sides. Empty for kinds that carry no element yet.
     pub const fn faces(self) -> &'static [(CellKind, &'static [usize])] {
         match self {
+            // SPOS, SNEG: the normal of SPOS is on the left of the way from the first node to the second.
+            Line2 => &[(Line2, &[1, 0]), (Line2, &[0, 1])],
             Tri3 => &[(Line2, &[0, 1]), (Line2, &[1, 2]), (Line2, &[2, 0])],
             Quad4 => &[(Line2, &[0, 1]), (Line2, &[1, 2]), (Line2, &[2, 3]), (Line2, &[3, 0])],
             Tri6 => &[(Line3, &[0, 1, 3]), (Line3, &[1, 2, 4]), (Line3, &[2, 0, 5])],

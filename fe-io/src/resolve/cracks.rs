@@ -4,9 +4,9 @@ use super::scene::Scene;
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::Place;
 use fe_contact::pair::PairDefinition;
-use fe_contact::surface::{Main, Secondary};
+use fe_contact::surface::Main;
 use fe_mesh::check::coincident_points;
-use fe_mesh::{CellKind, Face, Mesh};
+use fe_mesh::{CellKind, Mesh};
 use std::collections::HashSet;
 
 /// Nodes this near, of the model's size, are at the same place [-].
@@ -57,17 +57,9 @@ const MAIN: u8 = 2;
 /// On which sides of a pair each node is, `[points]`.
 fn sides(mesh: &Mesh, pair: &PairDefinition) -> Vec<u8> {
     let mut sides = vec![0; mesh.points.len()];
-    let mut mark = |faces: &[Face], side: u8| {
-        faces.iter().flat_map(|&face| mesh.face(face).1).for_each(|node| sides[node as usize] |= side);
-    };
-    if let Secondary::Faces(faces) = &pair.secondary {
-        mark(faces, SECONDARY);
-    }
     if let Main::Faces(faces) = &pair.main {
-        mark(faces, MAIN);
+        faces.iter().flat_map(|&face| mesh.face(face).1).for_each(|node| sides[node as usize] |= MAIN);
     }
-    if let Secondary::Nodes(nodes) = &pair.secondary {
-        nodes.iter().for_each(|(node, _)| sides[*node as usize] |= SECONDARY);
-    }
+    pair.secondary.nodes(mesh).into_iter().for_each(|node| sides[node as usize] |= SECONDARY);
     sides
 }

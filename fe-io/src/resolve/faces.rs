@@ -34,7 +34,8 @@ impl<'m> Shared<'m> {
         // The order does not matter: marks are only set.
         counts.keys().flatten().filter(|&&n| n != u32::MAX).for_each(|&n| touched[n as usize] = true);
         if !counts.is_empty() {
-            for cell in mesh.cells() {
+            // A line along an edge is no body beyond it.
+            for cell in mesh.cells().filter(|&cell| mesh.kind(cell).dimension() > 1) {
                 for face in 0..mesh.kind(cell).faces().len() {
                     let face = Face { cell, face: face as u8 };
                     let (_, local) = mesh.kind(cell).faces()[face.face as usize];

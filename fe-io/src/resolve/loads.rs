@@ -65,6 +65,12 @@ fn on_surface(
         return None;
     }
     let faces = faces_of(token, scene, diagnostics)?;
+    if let Some(face) = faces.iter().find(|face| scene.element_of(face.cell).family() != Family::Solid) {
+        let title = format!("a pressure acts on faces of solids, element {} is none", scene.cell_name(face.cell));
+        let fault = Diagnostic::error(token.span, title);
+        diagnostics.push(fault.help("forces per length on trusses and beams: `*DLOAD`, PX, PY or PZ"));
+        return None;
+    }
     row.sound.then_some((LoadKind::Pressure { faces }, magnitude))
 }
 
@@ -115,7 +121,10 @@ fn on_elements(
         }
     };
     let cells = scene.cells_of(token, diagnostics)?;
-    let count = |cell: CellId| scene.structure.mesh.kind(cell).faces().len();
+    let count = |cell: CellId| match scene.element_of(cell).family() {
+        Family::Solid => scene.structure.mesh.kind(cell).faces().len(),
+        _ => 0,
+    };
     if let Some(&cell) = cells.iter().find(|&&cell| usize::from(face) >= count(cell)) {
         let label = scene.cell_name(cell);
         let fault = Diagnostic::error(kind.span, format!("element {label} has no face for `{word}`"));

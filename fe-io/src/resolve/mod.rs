@@ -1,6 +1,7 @@
 //! Cards to a model: names to indices, ranges checked. All faults of a deck are told in one run.
 
 mod amplitudes;
+mod asked;
 mod beams;
 mod combine;
 mod conditions;

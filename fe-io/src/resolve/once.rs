@@ -20,6 +20,7 @@ pub fn only_new(
         let (kind, (again, left)) = match (&mut pair.secondary, &other.secondary) {
             (Secondary::Faces(faces), Secondary::Faces(before)) => ("faces", remove(faces, before, |face| *face)),
             (Secondary::Nodes(nodes), Secondary::Nodes(before)) => ("nodes", remove(nodes, before, |node| node.0)),
+            (Secondary::Lines(lines), Secondary::Lines(before)) => ("lines", remove(lines, before, |cell| *cell)),
             _ => continue,
         };
         if again > 0 {

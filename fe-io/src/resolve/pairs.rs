@@ -92,7 +92,7 @@ pub fn faces_of(token: Token<'_>, scene: &Scene<'_>, diagnostics: &mut Diagnosti
     let name = scene.full_name(token.text);
     match surface(token, scene, diagnostics)? {
         Surface::Faces => scene.structure.mesh.surfaces.get(&name).cloned(),
-        Surface::Nodes(_) | Surface::Rigid(_) | Surface::Faulty => {
+        Surface::Nodes(_) | Surface::Lines(_) | Surface::Rigid(_) | Surface::Faulty => {
             diagnostics.push(Diagnostic::error(token.span, format!("surface `{name}` has no faces of elements")));
             None
         }
@@ -103,6 +103,7 @@ fn secondary(token: Token<'_>, scene: &Scene<'_>, diagnostics: &mut Diagnostics)
     match surface(token, scene, diagnostics)? {
         Surface::Faces => faces_of(token, scene, diagnostics).map(Secondary::Faces),
         Surface::Nodes(nodes) => Some(Secondary::Nodes(nodes.clone())),
+        Surface::Lines(cells) => Some(Secondary::Lines(cells.clone())),
         Surface::Rigid(_) | Surface::Faulty => {
             let title = format!("the rigid surface `{}` can only be the main one", normalized(token.text));
             diagnostics.push(Diagnostic::error(token.span, title).help("write: secondary, main"));
@@ -123,6 +124,12 @@ fn main(token: Token<'_>, scene: &Scene<'_>, diagnostics: &mut Diagnostics) -> O
             };
             Some(Main::Rigid { surface: rigid.clone(), reference })
         }
+        Surface::Lines(_) => {
+            let title = format!("the surface `{name}` of lines in space can only be the secondary one");
+            let fault = Diagnostic::error(token.span, title).label("it has no unique normal");
+            diagnostics.push(fault.help("write: secondary, main"));
+            None
+        }
         Surface::Nodes(_) | Surface::Faulty => {
             let fault =
                 Diagnostic::error(token.span, format!("the surface of nodes `{name}` can only be the secondary one"));
@@ -141,8 +148,13 @@ fn discretization(
     diagnostics: &mut Diagnostics,
 ) -> Discretization {
     let wanted = entry.says("TYPE", "SURFACE TO SURFACE");
-    if wanted && matches!(secondary, Secondary::Nodes(_)) {
-        let note = Diagnostic::note(at.span, "a surface of nodes makes the pair node-to-surface");
+    let without_faces = match secondary {
+        Secondary::Faces(_) => None,
+        Secondary::Nodes(_) => Some("nodes"),
+        Secondary::Lines(_) => Some("lines"),
+    };
+    if let (true, Some(what)) = (wanted, without_faces) {
+        let note = Diagnostic::note(at.span, format!("a surface of {what} makes the pair node-to-surface"));
         diagnostics.push(note.label("it has no faces to average over"));
     } else if wanted {
         return Discretization::SurfaceToSurface;
@@ -177,12 +189,7 @@ fn marked(scene: &Scene<'_>, faces: &[Face]) -> Vec<bool> {
 fn common_nodes(at: Token<'_>, secondary: &Secondary, main: &Main, scene: &Scene<'_>, diagnostics: &mut Diagnostics) {
     let Main::Faces(faces) = main else { return };
     let marks = marked(scene, faces);
-    let common = match secondary {
-        Secondary::Faces(faces) => {
-            faces.iter().find_map(|&face| scene.structure.mesh.face(face).1.into_iter().find(|&n| marks[n as usize]))
-        }
-        Secondary::Nodes(nodes) => nodes.iter().map(|(node, _)| *node).find(|&n| marks[n as usize]),
-    };
+    let common = secondary.nodes(&scene.structure.mesh).into_iter().find(|&node| marks[node as usize]);
     if let Some(node) = common {
         let title = format!("both surfaces of this pair hold node {}", scene.node_name(node));
         diagnostics.push(
@@ -209,15 +216,8 @@ fn adjust(
     }
     let token = Token { text: &value.text, span: value.span };
     let nodes = scene.nodes_of(token, diagnostics)?;
-    let on_surface: Vec<u32> = match secondary {
-        Secondary::Faces(faces) => {
-            let marks = marked(scene, faces);
-            nodes.into_iter().filter(|&n| marks[n as usize]).collect()
-        }
-        Secondary::Nodes(own) => {
-            nodes.into_iter().filter(|n| own.binary_search_by_key(n, |(node, _)| *node).is_ok()).collect()
-        }
-    };
+    let own = secondary.nodes(&scene.structure.mesh);
+    let on_surface: Vec<u32> = nodes.into_iter().filter(|node| own.binary_search(node).is_ok()).collect();
     if on_surface.is_empty() {
         let title = format!("no node of set `{}` is on the secondary surface", normalized(&value.text));
         diagnostics.push(Diagnostic::error(value.span, title));

@@ -16,6 +16,8 @@ pub enum Surface {
     Faces,
     /// Nodes, each with its area [L²] where one is given.
     Nodes(Vec<(u32, Option<f64>)>),
+    /// Trusses and beams in space, ascending.
+    Lines(Vec<CellId>),
     /// Analytical.
     Rigid(RigidSurface),
     /// Its lines are faulty, which was told.

@@ -1,5 +1,6 @@
-//! `*SURFACE` of faces and of nodes.
+//! `*SURFACE` of elements and of nodes.
 
+use super::asked::{self, Asked};
 use super::combine;
 use super::faces::Shared;
 use super::nodes::line_fields;
@@ -28,13 +29,14 @@ pub fn read(entry: &Entry<'_>, scene: &mut Scene<'_>, diagnostics: &mut Diagnost
             diagnostics.push(fault.help("leave `TYPE` out, and name surfaces of faces"));
             None
         }
-        "" | "ELEMENT" => {
-            let faces = match entry.name("COMBINE") {
-                Some(how) => combine::faces(entry, &how, scene, diagnostics),
-                None => faces(entry, &written, scene, diagnostics),
-            };
-            faces.and_then(|faces| finish(entry, &written, faces, diagnostics)).map(|f| in_mesh(&name, f, scene))
-        }
+        "" | "ELEMENT" => match entry.name("COMBINE") {
+            Some(how) => {
+                let faces = combine::faces(entry, &how, scene, diagnostics);
+                let faces = faces.and_then(|faces| finish(entry, &written, faces, diagnostics));
+                faces.map(|faces| in_mesh(&name, faces, scene))
+            }
+            None => elements(entry, (&written, &name), scene, diagnostics),
+        },
         "NODE" => nodes(entry, &written, scene, diagnostics).map(Surface::Nodes),
         kind => rigid::surface(entry, &name, kind, scene, diagnostics).map(Surface::Rigid),
     };
@@ -51,55 +53,85 @@ fn in_mesh(name: &str, faces: Vec<Face>, scene: &mut Scene<'_>) -> Surface {
     Surface::Faces
 }
 
-/// What a line of faces asks for.
-enum Asked {
-    Face(u8),
-    Free,
+/// What data lines name.
+#[derive(Default)]
+struct Listed<'a> {
+    /// Faces, each with the word that names it.
+    faces: Vec<(Face, Token<'a>)>,
+    /// Solids of which the free faces are meant.
+    free: Vec<CellId>,
+    /// Trusses and beams in space.
+    lines: Vec<CellId>,
 }
 
-/// The faces of the data lines, in their order.
-fn faces(entry: &Entry<'_>, name: &str, scene: &Scene<'_>, diagnostics: &mut Diagnostics) -> Option<Vec<Face>> {
-    let mut faces: Vec<(Face, Token<'_>)> = Vec::new();
-    let mut free: Vec<(Vec<CellId>, Token<'_>)> = Vec::new();
-    let mut sound = true;
-    for line in scene.deck.lines(entry.card) {
-        let row = Row::read(line, line_fields(entry, 0), diagnostics);
-        let (Some(token), true) = (row.token(0), row.sound) else { continue };
-        let asked = match row.token(1) {
-            None => Some(Asked::Free),
-            Some(face) => face_number(face, diagnostics).map(Asked::Face),
-        };
-        let Some(cells) = scene.cells_of(token, diagnostics) else {
-            sound = false;
-            continue;
-        };
-        match asked {
-            None => sound = false,
-            Some(Asked::Free) => free.push((cells, token)),
-            Some(Asked::Face(face)) => {
-                let told = row.token(1).unwrap_or(token);
-                with_face(&cells, face, told, scene, diagnostics).for_each(|f| faces.push((f, told)));
-            }
-        }
-    }
-    if !sound {
+/// A surface of elements: faces, or lines in space.
+fn elements(
+    entry: &Entry<'_>,
+    (written, name): (&str, &str),
+    scene: &mut Scene<'_>,
+    diagnostics: &mut Diagnostics,
+) -> Option<Surface> {
+    let Listed { mut faces, free, mut lines } = listed(entry, scene, diagnostics)?;
+    if let (Some(&line), false) = (lines.first(), faces.is_empty() && free.is_empty()) {
+        let title = format!("surface `{written}` has faces, and lines such as element {}", scene.cell_name(line));
+        diagnostics.push(Diagnostic::error(entry.card.span, title).help("write two surfaces"));
         return None;
     }
-    let mesh = &scene.structure.mesh;
-    let of_free = free.iter().flat_map(|(cells, _)| cells.iter().flat_map(|&cell| all_faces(scene, cell)));
-    let shared = Shared::of(mesh, faces.iter().map(|(face, _)| *face).chain(of_free));
+    if !lines.is_empty() {
+        lines.sort_unstable();
+        lines.dedup();
+        return Some(Surface::Lines(lines));
+    }
+    let of_free = free.iter().flat_map(|&cell| all_faces(scene, cell));
+    let shared = Shared::of(&scene.structure.mesh, faces.iter().map(|(face, _)| *face).chain(of_free));
     let inside = faces.iter().filter(|(face, _)| !shared.is_free(*face)).count();
     if let Some((face, at)) = faces.iter().find(|(face, _)| !shared.is_free(*face)) {
         let label = scene.cell_name(face.cell);
-        let title = format!("{inside} faces of surface `{name}` lie between two elements");
+        let title = format!("{inside} faces of surface `{written}` lie between two elements");
         diagnostics
             .push(Diagnostic::warning(at.span, title).label(format!("first: S{} of element {label}", face.face + 1)));
     }
-    for (cells, token) in &free {
-        let outer = cells.iter().flat_map(|&cell| all_faces(scene, cell)).filter(|face| shared.is_free(*face));
-        faces.extend(outer.map(|face| (face, *token)));
+    one_side(&mut faces, scene, diagnostics)?;
+    let outer = free.iter().flat_map(|&cell| all_faces(scene, cell)).filter(|face| shared.is_free(*face));
+    let faces = faces.iter().map(|(face, _)| *face).chain(outer).collect();
+    finish(entry, written, faces, diagnostics).map(|faces| in_mesh(name, faces, scene))
+}
+
+/// What the data lines name, in their order; `None` when some line names nothing, which was told.
+fn listed<'a>(entry: &Entry<'a>, scene: &Scene<'a>, diagnostics: &mut Diagnostics) -> Option<Listed<'a>> {
+    let (mut listed, mut sound) = (Listed::default(), true);
+    for line in scene.deck.lines(entry.card) {
+        let row = Row::read(line, line_fields(entry, 0), diagnostics);
+        let (Some(token), true) = (row.token(0), row.sound) else { continue };
+        let asked = row.token(1).map_or(Some(Asked::Free), |face| asked::face(face, diagnostics));
+        let (Some(cells), Some(asked)) = (scene.cells_of(token, diagnostics), asked) else {
+            sound = false;
+            continue;
+        };
+        let (count, told) = (cells.len(), row.token(1).unwrap_or(token));
+        let cells = asked::with(cells, asked, told, scene, diagnostics);
+        sound &= cells.len() == count;
+        for cell in cells {
+            match asked {
+                Asked::Face(face) | Asked::Side(face) => listed.faces.push((Face { cell, face }, told)),
+                Asked::Free if asked::is_line(scene.element_of(cell)) => listed.lines.push(cell),
+                Asked::Free => listed.free.push(cell),
+            }
+        }
     }
-    Some(faces.into_iter().map(|(face, _)| face).collect())
+    sound.then_some(listed)
+}
+
+/// A line in the plane may press with either side, not with both in one surface; `None` where it does, which is told.
+fn one_side(faces: &mut [(Face, Token<'_>)], scene: &Scene<'_>, diagnostics: &mut Diagnostics) -> Option<()> {
+    faces.sort_by_key(|(face, _)| *face);
+    let is_line = |cell: CellId| scene.structure.mesh.kind(cell).dimension() == 1;
+    let both =
+        faces.windows(2).find(|two| two[0].0.cell == two[1].0.cell && two[0].0 != two[1].0 && is_line(two[0].0.cell));
+    let Some([_, (face, at)]) = both else { return Some(()) };
+    let title = format!("this surface has both sides of element {}", scene.cell_name(face.cell));
+    diagnostics.push(Diagnostic::error(at.span, title).help("write two surfaces, one of SPOS and one of SNEG"));
+    None
 }
 
 /// Faces in ascending order, each once; none at all is a fault.
@@ -121,42 +153,6 @@ fn finish(entry: &Entry<'_>, name: &str, mut faces: Vec<Face>, diagnostics: &mut
 fn all_faces<'s>(scene: &'s Scene<'_>, cell: CellId) -> impl Iterator<Item = Face> + use<'s> {
     let count = scene.structure.mesh.kind(cell).faces().len();
     (0..count).map(move |face| Face { cell, face: face as u8 })
-}
-
-/// The same face of some elements; elements that lack it are told.
-fn with_face<'s>(
-    cells: &'s [CellId],
-    face: u8,
-    told: Token<'_>,
-    scene: &'s Scene<'_>,
-    diagnostics: &mut Diagnostics,
-) -> impl Iterator<Item = Face> + use<'s> {
-    let has = move |cell: &CellId| (face as usize) < scene.structure.mesh.kind(*cell).faces().len();
-    if let Some(&cell) = cells.iter().find(|cell| !has(cell)) {
-        let (element, label) = (scene.element_of(cell), scene.cell_name(cell));
-        let count = element.kind().faces().len();
-        let title = format!("element {label} has no face `{}`", told.text);
-        let fault = Diagnostic::error(told.span, title);
-        diagnostics.push(fault.label(format!("{} has S1 to S{count}", element.name())));
-    }
-    cells.iter().filter(move |cell| has(cell)).map(move |&cell| Face { cell, face })
-}
-
-/// `S1` to `S6`; other identifiers are told.
-fn face_number(token: Token<'_>, diagnostics: &mut Diagnostics) -> Option<u8> {
-    let word = token.text.to_ascii_uppercase();
-    match word.strip_prefix('S').and_then(|n| n.parse::<u8>().ok()) {
-        Some(n @ 1..=6) => return Some(n - 1),
-        _ if matches!(word.as_str(), "SPOS" | "SNEG" | "EDGE" | "END1" | "END2" | "E1" | "E2" | "E3" | "E4") => {
-            let fault = Diagnostic::error(token.span, format!("face `{word}` is not there yet"));
-            diagnostics.push(fault.label("shells, beams and edges are not there; solids have S1 to S6"));
-        }
-        _ => {
-            let fault = Diagnostic::error(token.span, format!("there is no face `{word}`"));
-            diagnostics.push(fault.label("faces are S1 to S6, or blank for the free ones"));
-        }
-    }
-    None
 }
 
 /// Nodes, each with its area [L²] where one is given.
