@@ -16,10 +16,11 @@ use crate::point::{ContactPoint, Measure};
 use crate::search::{Bounds, Grid};
 use crate::sides::{Prepared, characteristic_length, label};
 use crate::stiffness;
-use crate::summary::{MeasureKind, Summary};
+use crate::summary::{MeasureKind, Origin, Summary};
 use crate::surface::{Main, Secondary};
 use crate::surface_to_surface::{self, Constraints, RigidSide};
 use fe_core::{Freedoms, Structure};
+use fe_mesh::CellId;
 use std::collections::BTreeMap;
 use std::sync::Mutex;
 
@@ -61,7 +62,8 @@ impl Contact {
             surfaces: (definition.secondary_name.clone(), definition.main_name.clone()),
             points,
             reference,
-            discretization,
+            cells: Vec::new(),
+            origin: Origin::Pair(discretization),
             searched,
         };
         let ground = ground(structure, &sides, definition);
@@ -78,7 +80,7 @@ impl Contact {
         ground: Ground,
     ) -> Result<Self, NoStiffness> {
         let Carried { law, penalty, multipliers } = Carried::new(&interaction.normal, ground)?;
-        let Found { name, surfaces, points, reference, discretization, searched } = found;
+        let Found { name, surfaces, points, cells, reference, origin, searched } = found;
         let place = |&n: &u32| freedoms.of_node(n as usize);
         let both = sides.secondary_nodes.iter().chain(&sides.main_nodes);
         Ok(Contact {
@@ -92,7 +94,7 @@ impl Contact {
             length: ground.length,
             touch: TOUCH * model_size(structure),
             summary: Summary {
-                discretization,
+                origin,
                 penalty,
                 beneath: ground.beneath,
                 searched,
@@ -103,6 +105,7 @@ impl Contact {
             positions: both.map(|&n| (n, Vec3::from(structure.mesh.points[n as usize]))).collect(),
             reference: reference.map(|n| (n, place(&n).map(|f| freedoms.component(f)).collect())),
             points,
+            cells,
             sides,
             conditions: Conditions::default(),
         })
@@ -119,8 +122,10 @@ pub(crate) struct Found {
     pub points: Vec<ContactPoint>,
     /// Reference node of a rigid main side.
     pub reference: Option<u32>,
-    /// How the constraint is spread.
-    pub discretization: Discretization,
+    /// The element of each point; empty for a pair.
+    pub cells: Vec<CellId>,
+    /// What they come from.
+    pub origin: Origin,
     /// Facets that a search sorted.
     pub searched: Option<usize>,
 }

@@ -8,6 +8,7 @@ use crate::point::ContactPoint;
 use crate::sides::Prepared;
 use crate::summary::Summary;
 use crate::term::Blocks;
+use fe_mesh::CellId;
 use std::collections::BTreeMap;
 use std::ops::Range;
 use std::sync::{Arc, Mutex};
@@ -20,6 +21,8 @@ pub struct Contact {
     pub(crate) surfaces: (String, String),
     /// The points, by ascending secondary node.
     pub points: Vec<ContactPoint>,
+    /// The element of each point; empty for a pair.
+    pub cells: Vec<CellId>,
     /// Freedoms of each point's nodes.
     pub(crate) places: Vec<Vec<Range<usize>>>,
     /// Where the points stand in the matrices of a step.
@@ -45,12 +48,12 @@ pub struct Contact {
 }
 
 impl Contact {
-    /// `SECONDARY on MAIN`.
+    /// `SECONDARY on MAIN`, or the set of the contact elements.
     pub fn name(&self) -> &str {
         &self.name
     }
 
-    /// Names of the secondary and the main surface.
+    /// Names of the secondary and the main surface; twice the set of the contact elements.
     pub fn surfaces(&self) -> (&str, &str) {
         (&self.surfaces.0, &self.surfaces.1)
     }

@@ -3,7 +3,7 @@
 use crate::contact::Contact;
 use crate::facet::Vec3;
 use crate::point::{ContactStatus, Measure};
-use crate::summary::Means;
+use crate::summary::{Means, Origin};
 use std::collections::BTreeMap;
 
 /// One point.
@@ -78,11 +78,15 @@ pub struct TooSoft {
     pub part: f64,
 }
 
+/// Forces [F] by node.
+type Forces = BTreeMap<u32, Vec3>;
+
 impl Contact {
     /// The state at a displacement, with the history that belongs to it.
     pub fn state(&self, u: &[f64], history: &[f64]) -> ContactState {
         let mut state = ContactState::default();
-        let mut forces: BTreeMap<u32, Vec3> = BTreeMap::new();
+        // A node may be on the secondary side of one element and on the main side of another.
+        let (mut secondary, mut main) = (Forces::new(), Forces::new());
         let mut turning = Vec3::zeros();
         for (i, p) in self.points.iter().enumerate() {
             let here = self.at(i, u);
@@ -111,7 +115,8 @@ impl Contact {
             }
             let mut row = here.row.iter();
             for (&n, place) in p.nodes.iter().zip(&self.places[i]) {
-                let at = forces.entry(n).or_default();
+                let is_main = n != p.node && self.sides.main_nodes.binary_search(&n).is_ok();
+                let at = if is_main { &mut main } else { &mut secondary }.entry(n).or_default();
                 let components = self.reference.as_ref().filter(|r| r.0 == n).map(|r| r.1.as_slice());
                 for (k, d) in row.by_ref().take(place.len()).enumerate() {
                     match components.map_or(k, |c| c[k]) {
@@ -121,21 +126,22 @@ impl Contact {
                 }
             }
         }
-        state.secondary = self.side(&forces, &self.sides.secondary_nodes, Vec3::zeros());
-        state.main = self.side(&forces, &self.sides.main_nodes, turning);
+        state.secondary = self.side(&secondary, &self.sides.secondary_nodes, Vec3::zeros());
+        state.main = self.side(&main, &self.sides.main_nodes, turning);
         state
     }
 
     /// What is to be said of an overclosure that a penalty leaves, where it is no longer small beside the facets.
     pub fn too_soft(&self, state: &ContactState) -> Option<TooSoft> {
-        let penalty = self.summary.penalty.filter(|p| p.means == Means::Penalty)?;
+        let has_facets = matches!(self.summary.origin, Origin::Pair(_));
+        let penalty = self.summary.penalty.filter(|p| p.means == Means::Penalty && has_facets)?;
         let (node, overclosure) = state.largest_overclosure?;
         let overclosure = overclosure + penalty.clearance;
         let part = overclosure / self.length;
         (self.length > 0.0 && part > SMALL).then_some(TooSoft { node, overclosure, part })
     }
 
-    fn side(&self, forces: &BTreeMap<u32, Vec3>, nodes: &[u32], turning: Vec3) -> SideForce {
+    fn side(&self, forces: &Forces, nodes: &[u32], turning: Vec3) -> SideForce {
         let (mut force, mut moment, mut list) = (Vec3::zeros(), turning, Vec::with_capacity(nodes.len()));
         for &n in nodes {
             let f = forces.get(&n).copied().unwrap_or_default();
@@ -154,7 +160,11 @@ impl Contact {
             let measure = p.measure.value();
             let v =
                 NodeValues { opening: Some(p.opening), pressure: p.pressure, status: p.status, measure, node: p.node };
-            values.insert(p.node, v);
+            // Of several points of a node the one that presses most.
+            let at = values.entry(p.node).or_insert(v);
+            if at.opening.is_none() || (v.pressure, -p.opening) > (at.pressure, -at.opening.unwrap_or_default()) {
+                *at = v;
+            }
         }
         for facet in self.sides.secondary.iter().filter(|f| !f.is_linear()) {
             let (nodes, corners) = (facet.nodes(), facet.corners());

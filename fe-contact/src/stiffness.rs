@@ -1,9 +1,12 @@
 //! The stiffness of the elements beneath a surface, from which the default penalty is taken.
 
 use crate::facet::{Facet, Rules, Vec3};
-use fe_core::Structure;
+use crate::point::ContactPoint;
+use fe_core::nodal_stiffness::nodal_stiffness;
+use fe_core::{Freedoms, Structure};
 use fe_mesh::{CellId, Face};
 use rayon::prelude::*;
+use std::collections::BTreeMap;
 
 /// The default penalty over the stiffness beneath [-], alone and with multipliers (Abaqus Analysis User's Manual, Contact
 /// constraint enforcement methods).
@@ -29,6 +32,32 @@ pub fn beneath(structure: &Structure, facets: &[Facet]) -> Option<f64> {
     let parts: Vec<Option<(f64, f64)>> = facets.par_iter().map(each).collect();
     let (sum, area) = parts.into_iter().flatten().fold((0.0, 0.0), |(s, a), part| (s + part.0, a + part.1));
     (area > 0.0).then(|| sum / area)
+}
+
+/// What stands for k_e where points have no facets: the mean over the points of the largest stiffness [F/L] of a node of
+/// theirs over their measure, of the softer side; a side without stiffness is rigid. `None` where no node has any.
+pub fn at_points((structure, freedoms): (&Structure, &Freedoms), points: &[ContactPoint]) -> Option<f64> {
+    let mut of_node: BTreeMap<u32, f64> = points.iter().flat_map(|p| &p.nodes).map(|&n| (n, 0.0)).collect();
+    let nodes: Vec<u32> = of_node.keys().copied().collect();
+    of_node.values_mut().zip(nodal_stiffness(structure, freedoms, &nodes)).for_each(|(k, found)| *k = found);
+    let each = points.iter().filter_map(|point| {
+        let side = |main: bool| {
+            let nodes = point.nodes.iter().filter(|n| (**n != point.node) == main);
+            nodes.map(|n| of_node[n]).reduce(f64::max).filter(|k| *k > 0.0)
+        };
+        let softer = [side(false), side(true)].into_iter().flatten().reduce(f64::min)?;
+        Some(softer / point.measure.value())
+    });
+    let (sum, count) = each.fold((0.0, 0), |(sum, count), k| (sum + k, count + 1));
+    (count > 0).then(|| sum / f64::from(count))
+}
+
+/// The same of all nodes of a model, without measure.
+pub fn anywhere((structure, freedoms): (&Structure, &Freedoms)) -> Option<f64> {
+    let nodes: Vec<u32> = (0..structure.mesh.points.len() as u32).collect();
+    let all = nodal_stiffness(structure, freedoms, &nodes);
+    let (sum, count) = all.iter().filter(|k| **k > 0.0).fold((0.0, 0), |(sum, count), k| (sum + k, count + 1));
+    (count > 0).then(|| sum / f64::from(count))
 }
 
 /// Volume [L³] of a cell, area [L²] of a plane one: (1/d) ∫ x·n over its faces, x from one of its nodes, so that

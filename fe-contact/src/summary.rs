@@ -2,6 +2,7 @@
 
 use crate::pair::Discretization;
 use crate::point::Measure;
+use fe_core::element::ElementType;
 
 /// What the law's number is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -80,11 +81,20 @@ pub struct PenaltySummary {
     pub clearance: f64,
 }
 
-/// What a pair turned out to be.
+/// Where points come from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Origin {
+    /// A pair of surfaces: how the constraint is spread, after what the surfaces allow.
+    Pair(Discretization),
+    /// Contact elements, a point each.
+    Elements(ElementType),
+}
+
+/// What a contact turned out to be.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Summary {
-    /// How the constraint is spread, after what the surfaces allow.
-    pub discretization: Discretization,
+    /// Where its points come from.
+    pub origin: Origin,
     /// The penalty; `None` for a softened law as it stands.
     pub penalty: Option<PenaltySummary>,
     /// Stiffness k_e [F/L³] of the elements beneath; the least of both sides.

@@ -1,6 +1,7 @@
 //! What a deck describes, resolved: plain data, also built by programs that bring no deck.
 
 use fe_contact::conditions::Conditions;
+use fe_contact::gap::GapDefinition;
 use fe_contact::interaction::Interaction;
 use fe_contact::pair::PairDefinition;
 use fe_core::amplitude::Amplitude;
@@ -31,6 +32,8 @@ pub struct Model {
     pub interactions: Vec<Interaction>,
     /// Contact pairs, each with the place of its data line.
     pub pairs: Vec<(PairDefinition, Place)>,
+    /// Gap elements, each with the place of its card.
+    pub gaps: Vec<(GapDefinition, Place)>,
     /// Reference nodes of rigid bodies, ascending.
     pub references: Vec<u32>,
     /// Supports of the model data: they hold from the start.

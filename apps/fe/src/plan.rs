@@ -5,7 +5,7 @@ use crate::terms::Terms;
 use fe_contact::contact::Contact;
 use fe_contact::pair::Discretization;
 use fe_contact::redundant::redundant;
-use fe_contact::summary::Means;
+use fe_contact::summary::{Means, Origin};
 use fe_core::element::{ElementType, Family};
 use fe_core::linear::Cost;
 use fe_core::matrix::Pattern;
@@ -96,7 +96,11 @@ impl Plan {
         needs.push(("unknowns".into(), format!("{unknowns}, and {prescribed} prescribed freedoms")));
         needs.extend(matrix.iter().flat_map(|matrix| matrix.in_words(terms)));
         for pair in terms.contacts.iter().filter(|pair| pair.acts() && !pair.points.is_empty()) {
-            needs.push(("contact pair".into(), pair_in_words(pair)));
+            let subject = match pair.summary().origin {
+                Origin::Pair(_) => "contact pair",
+                Origin::Elements(_) => "gap elements",
+            };
+            needs.push((subject.into(), contact_in_words(pair)));
         }
         needs.extend(over_constraint(terms, u, fixed).map(|words| ("over-constraint".into(), words)));
         let searched: Vec<usize> = terms.contacts.iter().filter_map(|pair| pair.summary().searched).collect();
@@ -172,12 +176,13 @@ fn members_in_words(terms: &Terms) -> Vec<(String, String)> {
     lines.chain(springs).collect()
 }
 
-/// A pair, its constraint and its stiffness with units.
-fn pair_in_words(pair: &Contact) -> String {
+/// A contact, its constraint and its stiffness with units.
+fn contact_in_words(pair: &Contact) -> String {
     let s = pair.summary();
-    let how = match s.discretization {
-        Discretization::NodeToSurface => "node to surface",
-        Discretization::SurfaceToSurface => "surface to surface",
+    let how = match s.origin {
+        Origin::Pair(Discretization::NodeToSurface) => "node to surface",
+        Origin::Pair(Discretization::SurfaceToSurface) => "surface to surface",
+        Origin::Elements(element) => element.name(),
     };
     let dimension = s.measure.stiffness_dimension();
     let law = match s.penalty {
@@ -219,7 +224,9 @@ fn leaves_out(terms: &Terms, unknowns: usize) -> Vec<String> {
         out.push(format!("contact: {none}"));
     } else {
         if met.iter().all(|p| p.summary().searched.is_none()) {
-            out.push("contact search: every main surface is rigid".into());
+            let pairs = met.iter().any(|p| p.has_rigid_main());
+            let why = if pairs { "every main surface is rigid" } else { "gap elements name their nodes" };
+            out.push(format!("contact search: {why}"));
         }
         let bare = |p: &Contact| p.summary().penalty.is_none_or(|penalty| penalty.means == Means::Penalty);
         if terms.contacts.iter().all(bare) {

@@ -7,6 +7,7 @@ use fe_contact::state::{ContactState, PointState};
 use fe_io::model::{ForcePart, Quantity, Table};
 use fe_io::results::ResultsError;
 use fe_io::results::table::{ContactRow, ElementRow, PairForce, Tables};
+use fe_mesh::CellId;
 use std::path::Path;
 
 /// The `.dat` file of a job; it exists once something is printed.
@@ -77,7 +78,7 @@ fn nodal(source: &Source, set: &str, value: impl Fn(usize) -> f64) -> (Vec<u64>,
 fn elements(source: &Source, table: &Table) -> Vec<ElementRow> {
     let mesh = &source.terms.structure.mesh;
     let cells = mesh.cell_sets.get(&table.set).map_or(&[][..], Vec::as_slice);
-    let mut rows = Vec::new();
+    let mut rows = contact_elements(source, table, cells);
     let Some(recovered) = source.recovered else { return rows };
     for (block, fields) in source.terms.solids.iter().zip(&recovered.blocks) {
         let values = if table.quantity == Quantity::Stress { &fields.stress } else { &fields.strain };
@@ -99,6 +100,20 @@ fn elements(source: &Source, table: &Table) -> Vec<ElementRow> {
                 rows.push(ElementRow { element, point, values: [value, 0.0, 0.0, 0.0, 0.0, 0.0] });
             }
         }
+    }
+    rows
+}
+
+/// The normal force over the area, or the gap, of the contact elements of a set.
+fn contact_elements(source: &Source, table: &Table, cells: &[CellId]) -> Vec<ElementRow> {
+    let mesh = &source.terms.structure.mesh;
+    let mut rows = Vec::new();
+    for (contact, state) in source.terms.contacts.iter().zip(source.states) {
+        let of_set = contact.cells.iter().zip(&state.points).filter(|(cell, _)| cells.binary_search(cell).is_ok());
+        rows.extend(of_set.map(|(cell, point)| {
+            let normal = if table.quantity == Quantity::Stress { point.pressure } else { point.opening };
+            ElementRow { element: mesh.cell_label(*cell), point: 1, values: [normal, 0.0, 0.0, 0.0, 0.0, 0.0] }
+        }));
     }
     rows
 }

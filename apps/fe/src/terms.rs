@@ -28,7 +28,7 @@ pub struct Terms {
     pub solids: Vec<SolidBlock>,
     /// Trusses and beams, one for each section, then springs.
     pub members: Vec<Members>,
-    /// Contact pairs, in the deck's order.
+    /// Contact pairs, then gap elements, each in the deck's order.
     pub contacts: Vec<Contact>,
     /// Connected bodies.
     pub bodies: Vec<Body>,
@@ -60,6 +60,13 @@ impl Terms {
                 .map_err(|e| format!("{}: {e}", place(k)))?;
             notes.extend(pair.notes().iter().map(|note| placed(note, &place(k))));
             contacts.push(pair);
+        }
+        for (definition, place) in &model.gaps {
+            let interaction = &model.interactions[definition.interaction];
+            let gaps = Contact::of_gaps((&structure, &freedoms), definition, interaction)
+                .map_err(|e| format!("{}:{}: {e}", place.file, place.line))?;
+            notes.extend(gaps.notes().iter().cloned());
+            contacts.push(gaps);
         }
         let search_seconds = start.elapsed().as_secs_f64();
         let mut solids = Vec::new();

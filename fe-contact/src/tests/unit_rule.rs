@@ -6,7 +6,7 @@ use crate::facet::Vec3;
 use crate::interaction::Interaction;
 use crate::pair::{Discretization, PairDefinition};
 use crate::point::Measure;
-use crate::summary::MeasureKind;
+use crate::summary::{MeasureKind, Origin};
 use crate::surface::Secondary;
 use fe_core::Term;
 use fe_core::element::ElementType::{self, *};
@@ -81,7 +81,7 @@ fn nodes_count_their_area_or_one_each() {
     }
     let reverted = PairDefinition { discretization: Discretization::SurfaceToSurface, ..of(None) };
     let pair = scene.pair(&reverted, &linear());
-    assert_eq!(pair.summary().discretization, Discretization::NodeToSurface);
+    assert_eq!(pair.summary().origin, Origin::Pair(Discretization::NodeToSurface));
     assert!(pair.notes().iter().any(|n| n.contains("instead of surface to surface")));
     assert!(pair.points.iter().all(|p| p.measure == Measure::Point));
 }

@@ -10,6 +10,7 @@ mod contact_pair;
 pub(crate) mod controls;
 mod discrete;
 mod element;
+mod gap;
 mod heading;
 mod idle;
 mod loads;
@@ -64,6 +65,7 @@ pub const CARDS: &[&Keyword] = &[
     &surface_interaction::SURFACE_INTERACTION,
     &surface_behavior::SURFACE_BEHAVIOR,
     &contact_pair::CONTACT_PAIR,
+    &gap::GAP,
     &boundary::BOUNDARY,
     &step::STEP,
     &procedure::STATIC,

@@ -113,7 +113,6 @@ pub(super) const CARDS: &[(&[&str], &str)] = &[
     (&["FRICTION", "CHANGE FRICTION"], FRICTIONLESS),
     (
         &[
-            "GAP",
             "INTERFACE",
             "SLIDE LINE",
             "CONTACT",

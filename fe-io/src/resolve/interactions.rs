@@ -1,4 +1,4 @@
-//! `*SURFACE INTERACTION` with its `*SURFACE BEHAVIOR`.
+//! `*SURFACE INTERACTION`, or the card of contact elements, with its `*SURFACE BEHAVIOR`.
 
 use super::nodes::fields;
 use crate::deck::Deck;
@@ -12,13 +12,19 @@ use fe_contact::interaction::{Enforcement, Interaction, NormalBehavior, Penalty}
 use fe_contact::law::scale_factor::Scaling;
 use fe_contact::law::{Datum, LawDefinition, Laws, Lines};
 
+/// The card that gives an interaction a name.
+const NAMED: &str = "SURFACE INTERACTION";
+/// The cards that describe contact, with those that follow them.
+const PARENTS: [&str; 2] = [NAMED, "GAP"];
+const PARENTS_IN_WORDS: &str = "`*SURFACE INTERACTION` or `*GAP`";
+
 /// The interactions of a model.
 #[derive(Debug, Default)]
 pub struct Interactions {
     /// In the order of the deck.
     pub list: Vec<Interaction>,
-    /// Place of each one's card.
-    pub places: Vec<Span>,
+    /// Keyword and place of each one's card.
+    cards: Vec<(&'static str, Span)>,
     /// Place of each one's `*SURFACE BEHAVIOR`.
     behaviors: Vec<Option<Span>>,
 }
@@ -28,18 +34,18 @@ impl Interactions {
     pub fn read(entries: &[Entry<'_>], deck: &Deck, laws: &Laws, diagnostics: &mut Diagnostics) -> Self {
         let mut all = Interactions::default();
         for entry in entries {
-            if entry.keyword.name == "SURFACE INTERACTION" {
+            if PARENTS.contains(&entry.keyword.name) {
                 all.begin(entry, deck, diagnostics);
                 continue;
             }
             let behavior = behavior(entry, deck, laws, diagnostics);
             let Some(parent) = parent(entry, deck) else {
-                let fault =
-                    Diagnostic::error(entry.card.span, "`*SURFACE BEHAVIOR` stands under no `*SURFACE INTERACTION`");
-                diagnostics.push(fault.help("it follows the `*SURFACE INTERACTION` that it describes"));
+                let title = format!("`*SURFACE BEHAVIOR` stands under no {PARENTS_IN_WORDS}");
+                diagnostics
+                    .push(Diagnostic::error(entry.card.span, title).help("it follows the card that it describes"));
                 continue;
             };
-            if let Some(i) = all.places.iter().position(|at| *at == parent.span) {
+            if let Some(i) = all.of_card(parent.span) {
                 all.describe(i, entry, behavior, diagnostics);
             }
         }
@@ -47,17 +53,19 @@ impl Interactions {
     }
 
     fn begin(&mut self, entry: &Entry<'_>, deck: &Deck, diagnostics: &mut Diagnostics) {
-        let Some(value) = entry.value("NAME") else { return };
+        let named = entry.keyword.name == NAMED;
+        let Some(value) = entry.value(if named { "NAME" } else { "ELSET" }) else { return };
         let name = normalized(&value.text);
-        if let Some(first) = self.list.iter().position(|i| i.name == name) {
+        if let Some(first) = self.find(&name).filter(|_| named) {
             let fault = Diagnostic::error(value.span, format!("interaction `{name}` is there twice"));
-            diagnostics.push(fault.related(self.places[first], "first here"));
+            diagnostics.push(fault.related(self.cards[first].1, "first here"));
         }
-        let measure =
-            deck.lines(entry.card).next().and_then(|line| Row::read(line, fields(entry), diagnostics).number(0));
+        // What contact elements measure stands with them.
+        let line = deck.lines(entry.card).next().filter(|_| named);
+        let measure = line.and_then(|line| Row::read(line, fields(entry), diagnostics).number(0));
         let normal = NormalBehavior::Hard(Enforcement::Usual);
         self.list.push(Interaction { name, normal, no_separation: false, measure });
-        self.places.push(entry.card.span);
+        self.cards.push((entry.keyword.name, entry.card.span));
         self.behaviors.push(None);
     }
 
@@ -78,9 +86,19 @@ impl Interactions {
         }
     }
 
-    /// Index by name.
+    /// Index of a `*SURFACE INTERACTION` by name.
     pub fn find(&self, name: &str) -> Option<usize> {
-        self.list.iter().position(|i| i.name == name)
+        self.list.iter().zip(&self.cards).position(|(i, card)| card.0 == NAMED && i.name == name)
+    }
+
+    /// Index by the place of the card.
+    pub fn of_card(&self, at: Span) -> Option<usize> {
+        self.cards.iter().position(|card| card.1 == at)
+    }
+
+    /// Names of those that have one.
+    pub fn names(&self) -> impl Iterator<Item = &str> {
+        self.list.iter().zip(&self.cards).filter(|(_, card)| card.0 == NAMED).map(|(i, _)| i.name.as_str())
     }
 }
 
@@ -89,8 +107,8 @@ fn parent<'a>(entry: &Entry<'_>, deck: &'a Deck) -> Option<&'a Card> {
     let at = deck.cards.iter().position(|card| card.span == entry.card.span)?;
     for card in deck.cards[..at].iter().rev() {
         match keyword::find(&card.keyword) {
-            Some(Known::Card(table)) if table.name == "SURFACE INTERACTION" => return Some(card),
-            Some(Known::NotYet("GAP" | "INTERFACE", _)) => return Some(card),
+            Some(Known::Card(table)) if PARENTS.contains(&table.name) => return Some(card),
+            Some(Known::NotYet("INTERFACE", _)) => return Some(card),
             Some(Known::Card(table)) if table.name == "SURFACE BEHAVIOR" => {}
             Some(Known::NotYet(..)) => {}
             _ => return None,

@@ -5,6 +5,7 @@ mod asked;
 mod beams;
 mod combine;
 mod conditions;
+mod contact_elements;
 mod controls;
 mod cracks;
 mod discrete;
@@ -67,7 +68,7 @@ pub fn resolve(deck: &Deck, library: &Library) -> Result<Model, Diagnostics> {
     bodies(&entries, &mut scene, &mut diagnostics);
     let amplitudes = Amplitudes::read(&named(&entries, &["AMPLITUDE"]), deck, &mut diagnostics);
     // How surfaces act on each other belongs to the model wherever it is written: once, whatever a part's instances.
-    let contact = named(&written, &["SURFACE INTERACTION", "SURFACE BEHAVIOR"]);
+    let contact = named(&written, &["SURFACE INTERACTION", "GAP", "SURFACE BEHAVIOR"]);
     let interactions = Interactions::read(&contact, deck, &library.laws, &mut diagnostics);
     if scene.unread {
         return Err(diagnostics);
@@ -76,6 +77,10 @@ pub fn resolve(deck: &Deck, library: &Library) -> Result<Model, Diagnostics> {
     for entry in named(&entries, &["CONTACT PAIR"]) {
         pairs::read(&entry, &scene, &interactions, &mut contact_pairs, &mut diagnostics);
     }
+    let mut gaps = Vec::new();
+    each(&entries, &["GAP"], &mut scene, |entry, scene| {
+        gaps.extend(contact_elements::gaps(entry, scene, &interactions, &mut diagnostics));
+    });
     let mut supports = Supports::default();
     for entry in entries.iter().filter(|entry| entry.step.is_none() && entry.keyword.name == "BOUNDARY") {
         supports.read(entry, &scene, &amplitudes, &mut diagnostics);
@@ -100,6 +105,7 @@ pub fn resolve(deck: &Deck, library: &Library) -> Result<Model, Diagnostics> {
         amplitudes: amplitudes.list,
         interactions: interactions.list,
         pairs: contact_pairs,
+        gaps,
         references,
         supports: supports.items,
         steps,

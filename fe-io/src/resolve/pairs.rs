@@ -69,8 +69,7 @@ fn interaction(entry: &Entry<'_>, interactions: &Interactions, diagnostics: &mut
     let found = interactions.find(&name);
     if found.is_none() {
         let fault = Diagnostic::error(value.span, format!("there is no interaction `{name}`"));
-        let names = interactions.list.iter().map(|i| i.name.as_str());
-        diagnostics.push(fault.known(&name, names).help("say `*SURFACE INTERACTION, NAME=…`"));
+        diagnostics.push(fault.known(&name, interactions.names()).help("say `*SURFACE INTERACTION, NAME=…`"));
     }
     found
 }

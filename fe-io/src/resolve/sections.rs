@@ -21,6 +21,7 @@ pub const CARDS: &[(&str, &[Family])] = &[
     ("SPRING", &[Family::Spring]),
     ("DASHPOT", &[Family::Dashpot]),
     ("MASS", &[Family::Mass]),
+    ("GAP", &[Family::Gap]),
 ];
 
 /// Reads all of them; elements without one are told.
@@ -110,6 +111,8 @@ fn section(
             beams::read(entry, material, of_type, scene, diagnostics);
         }
         "BEAM GENERAL SECTION" => beams::read_general(entry, of_type, scene, diagnostics),
+        // Read with the contact.
+        "GAP" => {}
         _ => discrete::read(entry, of_type, scene, diagnostics),
     }
 }

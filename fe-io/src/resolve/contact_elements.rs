@@ -1,0 +1,105 @@
+//! `*GAP`.
+
+use super::interactions::Interactions;
+use super::nodes::fields;
+use super::scene::Scene;
+use crate::deck::card::Token;
+use crate::diagnostic::{Diagnostic, Diagnostics};
+use crate::keyword::check::Entry;
+use crate::keyword::row::Row;
+use crate::model::Place;
+use fe_contact::element::ElementFault;
+use fe_contact::gap::GapDefinition;
+use fe_core::element::{ElementType, Family};
+use fe_mesh::CellId;
+
+/// Reads the gap elements of a card.
+pub fn gaps(
+    entry: &Entry<'_>,
+    scene: &Scene<'_>,
+    interactions: &Interactions,
+    diagnostics: &mut Diagnostics,
+) -> Option<(GapDefinition, Place)> {
+    let (name, element, cells) = elements(entry, Family::Gap, scene, diagnostics)?;
+    let row = one_line(entry, scene, diagnostics)?;
+    let distance = row.number(0).unwrap_or(0.0);
+    let direction = [1, 2, 3].map(|i| row.number(i).unwrap_or(0.0));
+    let direction = direction.iter().any(|c| *c != 0.0).then_some(direction);
+    if element != ElementType::GAPUNI && distance == 0.0 {
+        let fault = Diagnostic::error(row.span, format!("the distance of {} elements is missing or 0", element.name()));
+        diagnostics.push(fault.help("positive: the largest distance of the nodes; negative: the least one"));
+        return None;
+    }
+    match (element, direction) {
+        (ElementType::GAPCYL, None) => {
+            let fault = Diagnostic::error(row.span, "the axis of GAPCYL elements is missing or 0");
+            diagnostics.push(fault.help("write: distance, x, y, z of the axis, area"));
+            return None;
+        }
+        (ElementType::GAPSPHER, Some(_)) => {
+            let note = Diagnostic::note(row.span, "the direction of GAPSPHER elements has no effect");
+            diagnostics.push(note.label("it is that of the line between the nodes"));
+        }
+        _ => {}
+    }
+    let interaction = interactions.of_card(entry.card.span)?;
+    let gaps = GapDefinition { name, element, cells, distance, direction, area: row.number(4), interaction };
+    gaps.check(&scene.structure).map_err(|fault| refuse(entry, fault, scene, diagnostics)).ok()?;
+    Some((gaps, place(entry, scene)))
+}
+
+/// An element that stands for no constraint, at its own line.
+fn refuse(entry: &Entry<'_>, (cell, fault): (CellId, ElementFault), scene: &Scene<'_>, diagnostics: &mut Diagnostics) {
+    let at = scene.place_of(cell).unwrap_or(entry.card.span);
+    let fault = Diagnostic::error(at, fault.to_string());
+    diagnostics.push(fault.related(entry.card.span, "what is given for it"));
+}
+
+fn place(entry: &Entry<'_>, scene: &Scene<'_>) -> Place {
+    scene.deck.sources[entry.card.span.source as usize].place(entry.card.span.start)
+}
+
+/// Name, type and elements of the set, all of one type and family.
+fn elements(
+    entry: &Entry<'_>,
+    family: Family,
+    scene: &Scene<'_>,
+    diagnostics: &mut Diagnostics,
+) -> Option<(String, ElementType, Vec<CellId>)> {
+    let value = entry.value("ELSET")?;
+    let token = Token { text: &value.text, span: value.span };
+    let cells = scene.cell_set(token, diagnostics)?.to_vec();
+    let name = scene.full_name(&value.text);
+    let element = scene.element_of(*cells.first()?);
+    // Others were told with the sections.
+    if cells.iter().any(|&cell| scene.element_of(cell).family() != family) {
+        return None;
+    }
+    if let Some(other) = cells.iter().map(|&cell| scene.element_of(cell)).find(|e| *e != element) {
+        let title = format!("set `{name}` holds {} and {} elements", element.name(), other.name());
+        let star = entry.keyword.name;
+        let fault = Diagnostic::error(value.span, title);
+        diagnostics.push(fault.help(format!("give each type a `*{star}` of its own")));
+        return None;
+    }
+    Some((name, element, cells))
+}
+
+/// The one data line of a card.
+fn one_line<'a>(entry: &Entry<'a>, scene: &Scene<'a>, diagnostics: &mut Diagnostics) -> Option<Row<'a>> {
+    let mut lines = scene.deck.lines(entry.card);
+    let star = entry.keyword.name;
+    let Some(line) = lines.next() else {
+        let wanted: Vec<&str> = fields(entry).iter().map(|field| field.name).collect();
+        let fault = Diagnostic::error(entry.card.span, format!("`*{star}` has no data line"));
+        diagnostics.push(fault.help(format!("write: {}", wanted.join(", "))));
+        return None;
+    };
+    let row = Row::read(line, fields(entry), diagnostics);
+    if let Some(more) = lines.next() {
+        let fault = Diagnostic::error(more.span, "this is one data line too many");
+        diagnostics.push(fault.label(format!("`*{star}` has one")));
+        return None;
+    }
+    row.sound.then_some(row)
+}
