@@ -241,7 +241,8 @@ fn tables_of(
         let note = Diagnostic::note(entry.card.span, title).label("left out of this table");
         diagnostics.push(note.help("section forces SF and SM stand in the results file"));
     }
-    if star == "CONTACT PRINT" && pairs.is_empty() && diagnostics.faults() == 0 {
+    let elements = scene.structure.elements.iter().any(|e| matches!(e.family(), Family::Gap | Family::Tube));
+    if star == "CONTACT PRINT" && pairs.is_empty() && !elements && diagnostics.faults() == 0 {
         let warning = Diagnostic::warning(entry.card.span, "the deck has no contact pair");
         diagnostics.push(warning.label("these tables stay empty"));
     }
