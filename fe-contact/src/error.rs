@@ -15,7 +15,7 @@ pub enum PairError {
     #[error("surfaces {secondary} and {main} share node {node}; a pair needs two separate sets of nodes")]
     SharedNode {
         /// Label of the node.
-        node: u64,
+        node: String,
         /// Name of the secondary surface.
         secondary: String,
         /// Name of the main surface.
@@ -47,7 +47,7 @@ pub enum PairError {
     )]
     TooDeep {
         /// Label of the node.
-        node: u64,
+        node: String,
         /// Overclosure [L].
         depth: f64,
         /// What is allowed [L].

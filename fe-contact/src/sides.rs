@@ -119,8 +119,9 @@ pub fn characteristic_length(facets: &[Facet]) -> Option<f64> {
 }
 
 /// What the user knows a node by; its index where the mesh has no labels.
-pub fn label(structure: &Structure, node: u32) -> u64 {
-    structure.mesh.point_labels.get(node as usize).copied().unwrap_or(node.into())
+pub fn label(structure: &Structure, node: u32) -> String {
+    let labelled = structure.mesh.point_labels.len() > node as usize;
+    if labelled { structure.mesh.point_name(node) } else { node.to_string() }
 }
 
 /// Nodes of facets, ascending.

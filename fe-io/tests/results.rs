@@ -64,7 +64,7 @@ fn a_frame_of_several_padded_chunks_reads_back() {
 fn a_grid_without_cells_is_kept() {
     let path = folder("results_points").join("points.vtkhdf");
     let points = [[0.0; 3], [1.0, 2.0, 3.0]];
-    let grid = Grid { points: &points, node_labels: &[4, 5], blocks: &[], body: &[] };
+    let grid = Grid { points: &points, node_labels: &[4, 5], blocks: &[], body: &[], instances: &[] };
     let mut file = ResultsFile::create(&path, JobInfo::default(), &grid, FIELDS, &[]).unwrap();
     for frame in 0..3 {
         let fields: Vec<Vec<f64>> =

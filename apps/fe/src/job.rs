@@ -172,7 +172,7 @@ impl StepRun<'_, '_> {
         for (contact, state) in self.terms.contacts.iter().zip(self.terms.states(at)) {
             let Some(soft) = contact.too_soft(&state) else { continue };
             let (name, percent, overclosure) = (contact.name(), 100.0 * soft.part, soft.overclosure);
-            let label = self.terms.structure.mesh.point_labels[soft.node as usize];
+            let label = self.terms.structure.mesh.point_name(soft.node);
             self.observer.event(Event::Note(&format!(
                 "warning: the penalty of {name} lets node {label} in by {overclosure:.3e}, {percent:.1} % of a facet: contact \
                  is not hard there; a stiffer penalty, AUGMENTED LAGRANGE or DIRECT is"
@@ -287,7 +287,7 @@ impl StepRun<'_, '_> {
         scene.prescribed.iter().for_each(|(f, ramp)| end[*f] = ramp.at(scene.period, total, scene.period));
         let Some(found) = contradiction(&self.terms.contacts, &end, fixed) else { return Ok(()) };
         let (secondary, main) = self.terms.contacts[found.contact].surfaces();
-        let label = self.terms.structure.mesh.point_labels[found.node as usize];
+        let label = self.terms.structure.mesh.point_name(found.node);
         let reason = format!(
             "*BOUNDARY holds node {label} of {secondary} {:.3e} inside {main} at the end of the step, and hard contact \
              holds it out",

@@ -136,7 +136,7 @@ impl Plan {
 /// Multipliers that others, or supports, make superfluous.
 fn over_constraint(terms: &Terms, u: &[f64], fixed: &[bool]) -> Option<String> {
     let found = redundant(&terms.contacts, u, fixed);
-    let labels = found.iter().map(|r| terms.structure.mesh.point_labels[r.node as usize].to_string());
+    let labels = found.iter().map(|r| terms.structure.mesh.point_name(r.node));
     let shown: Vec<String> = labels.take(SHOWN).collect();
     let more = if found.len() > SHOWN { ", …" } else { "" };
     let words = "say at touch what supports or other multipliers say, and share their force";

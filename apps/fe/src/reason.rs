@@ -7,17 +7,17 @@ use fe_core::reject::Reject;
 pub fn explain(reject: &Reject, terms: &Terms) -> String {
     match reject {
         Reject::Singular { node, component } => {
-            let label = terms.structure.mesh.point_labels[*node];
+            let label = terms.structure.mesh.point_name(*node as u32);
             let body = terms.bodies.iter().find(|b| b.nodes.binary_search(&(*node as u32)).is_ok());
             let body = body.map_or(String::new(), |b| format!(" ({})", terms.body_name(b)));
             format!("nothing holds freedom {} of node {label}{body}: the stiffness is singular there", component + 1)
         }
         Reject::NotFinite { place, node: Some(node) } => {
-            let label = terms.structure.mesh.point_labels[*node];
+            let label = terms.structure.mesh.point_name(*node as u32);
             format!("a number that is not finite came up in {place} at node {label}")
         }
         Reject::NotEnforced { passes, node, overclosure } => {
-            let label = terms.structure.mesh.point_labels[*node];
+            let label = terms.structure.mesh.point_name(*node as u32);
             format!("after {passes} augmentations of the multipliers node {label} still overlaps by {overclosure:.3e}")
         }
         other => other.to_string(),

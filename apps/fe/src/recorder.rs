@@ -82,7 +82,13 @@ impl Recorder {
             .map(|block| GridBlock { kind: block.kind, labels: &block.labels, nodes: &block.nodes })
             .collect();
         let body = sections_of_cells(terms);
-        let grid = Grid { points: &mesh.points, node_labels: &mesh.point_labels, blocks: &blocks, body: &body };
+        let grid = Grid {
+            points: &mesh.points,
+            node_labels: &mesh.point_labels,
+            blocks: &blocks,
+            body: &body,
+            instances: &mesh.instances,
+        };
         let name = job.file_stem().map(|stem| stem.to_string_lossy().into_owned()).unwrap_or_default();
         let info = JobInfo { job: &name, heading: &model.heading, version: env!("CARGO_PKG_VERSION") };
         let fields = chosen_fields(model, terms);

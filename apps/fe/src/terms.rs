@@ -128,7 +128,7 @@ impl Terms {
         }
         match best {
             Some((name, _)) => format!("body {name}"),
-            None => format!("the body of node {}", mesh.point_labels[body.nodes[0] as usize]),
+            None => format!("the body of node {}", mesh.point_name(body.nodes[0])),
         }
     }
 }

@@ -154,3 +154,15 @@ fn command_line() {
         assert!(run.error.is_empty(), "{arguments:?}: {}", run.error);
     }
 }
+
+/// What fails in a run is named by its instance, too: both cubes have a node 1, the second one is held by nothing.
+#[test]
+fn what_fails_in_an_instance_is_named_by_it() {
+    let scratch = Scratch::with_decks("refused_instance");
+    let deck = scratch.read("parts_assembly.inp");
+    let deck = deck.replace("TWO.NB, 1, 2\n", "").replace("TOP, 3, 3, -0.08\n", "TWO.20, 3, 3, -0.08\n");
+    scratch.write("loose.inp", &deck);
+    let run = scratch.fe(&["run", "loose.inp", "--quiet"]);
+    assert_eq!(run.status, 1);
+    assert!(run.error.contains("TWO."), "{}", run.error);
+}

@@ -34,6 +34,29 @@ fn the_file_holds_frames_and_fields() {
     assert!(reaction.abs() < 1e-9 * 16.0 * pressure);
 }
 
+/// Two instances of one part of 27 nodes and 8 elements: both have the labels of the part, and their own number.
+#[test]
+fn instances_have_the_labels_of_their_part() {
+    let scratch = Scratch::with_decks("results_parts");
+    let run = scratch.fe(&["run", "parts_assembly.inp", "--quiet"]);
+    assert_eq!(run.status, 0, "{}", run.error);
+    let results = Results::open(&scratch.path("parts_assembly.vtkhdf"));
+    for (labels, group, count) in [("NodeLabel", "PointData", 27), ("ElementLabel", "CellData", 8)] {
+        let part: Vec<i64> = (1..=count).collect();
+        assert_eq!(results.integer(&format!("VTKHDF/{group}/{labels}")), [part.clone(), part].concat());
+        let expected = [vec![1; count as usize], vec![2; count as usize]].concat();
+        assert_eq!(results.integer(&format!("VTKHDF/{group}/Instance")), expected);
+        assert_eq!(results.integer(&format!("VTKHDF/Steps/{group}Offsets/Instance"))[0], 0);
+    }
+    // The upper end of the turned instance is the foot of the part.
+    let foot = results.point_at([0.0, 2.0, 6.0]);
+    assert_eq!((results.integer("VTKHDF/PointData/NodeLabel")[foot], foot), (1, 27));
+    let flat = scratch.fe(&["run", "blocks_linear_s2s.inp", "--quiet"]);
+    assert_eq!(flat.status, 0, "{}", flat.error);
+    let names = Results::open(&scratch.path("blocks_linear_s2s.vtkhdf")).names("VTKHDF/PointData");
+    assert!(!names.iter().any(|name| name == "Instance"), "{names:?}");
+}
+
 /// A deck with a fault leaves the results of an earlier run alone.
 #[test]
 fn a_faulty_deck_leaves_earlier_results() {

@@ -154,9 +154,9 @@ fn overlaps_are_believed_up_to_half_a_facet() {
         }
         let definition = surfaces(faces.0, faces.1, discretization);
         let fault = Contact::of_pair(&scene.structure, &scene.freedoms(), &definition, &linear()).unwrap_err();
-        let PairError::TooDeep { node, depth, limit, .. } = fault else { panic!("{fault}") };
+        let PairError::TooDeep { ref node, depth, limit, .. } = fault else { panic!("{fault}") };
         assert!(
-            node == scene.structure.mesh.point_labels[deep as usize] && depth > 0.5 && (limit - 1.0 / 6.0).abs() < 0.02,
+            *node == scene.structure.mesh.point_name(deep) && depth > 0.5 && (limit - 1.0 / 6.0).abs() < 0.02,
             "{fault}"
         );
     }

@@ -16,7 +16,7 @@ pub enum LoadError {
     #[error("node {label} has no freedom {} to be loaded: it belongs to no element that moves there", .component + 1)]
     NoFreedom {
         /// Label of the node.
-        label: u64,
+        label: String,
         /// Freedom, from 0.
         component: u8,
     },
@@ -24,7 +24,7 @@ pub enum LoadError {
     #[error("gravity acts on element {label}, whose material {material} has no *DENSITY")]
     NoDensity {
         /// Label of the first such element.
-        label: u64,
+        label: String,
         /// Name of the material.
         material: String,
     },
@@ -32,13 +32,13 @@ pub enum LoadError {
     #[error("gravity on the axisymmetric element {label} must point along the axis (y)")]
     AcrossAxis {
         /// Label of the first such element.
-        label: u64,
+        label: String,
     },
     /// A face that the element does not have.
     #[error("element {label} has no face S{} to press on", .face + 1)]
     NoFace {
         /// Label of the element.
-        label: u64,
+        label: String,
         /// Face, from 0.
         face: u8,
     },
@@ -49,7 +49,7 @@ pub enum LoadError {
     #[error("element {label} is loaded but has no section")]
     NoSection {
         /// Label of the element.
-        label: u64,
+        label: String,
     },
 }
 
@@ -68,7 +68,7 @@ pub fn unit_forces(
         LoadKind::Line { cells, component } => {
             let q = std::array::from_fn(|i| if i == usize::from(*component) { 1.0 } else { 0.0 });
             for &cell in cells {
-                let label = || structure.mesh.cell_label(cell);
+                let label = || structure.mesh.cell_name(cell);
                 let section = structure.line_section_of(cell);
                 forces.along(section.ok_or_else(|| LoadError::NoSection { label: label() })?, cell, q)?;
             }
@@ -90,7 +90,7 @@ const NODES: usize = 10;
 impl Forces<'_> {
     fn add(&mut self, node: u32, component: usize, force: f64) -> Result<(), LoadError> {
         let freedom = self.freedoms.index(node as usize, component).ok_or_else(|| LoadError::NoFreedom {
-            label: self.structure.mesh.point_labels[node as usize],
+            label: self.structure.mesh.point_name(node as u32),
             component: component as u8,
         })?;
         *self.sum.entry(freedom).or_insert(0.0) += force;
@@ -98,7 +98,7 @@ impl Forces<'_> {
     }
 
     fn section(&self, cell: CellId) -> Result<&Section, LoadError> {
-        let label = || self.structure.mesh.cell_label(cell);
+        let label = || self.structure.mesh.cell_name(cell);
         self.structure.section_of(cell).ok_or_else(|| LoadError::NoSection { label: label() })
     }
 
@@ -108,7 +108,7 @@ impl Forces<'_> {
         let section = self.section(face.cell)?;
         let (space, thickness) = (section.element.space(), section.thickness);
         if usize::from(face.face) >= mesh.kind(face.cell).faces().len() {
-            return Err(LoadError::NoFace { label: mesh.cell_label(face.cell), face: face.face });
+            return Err(LoadError::NoFace { label: mesh.cell_name(face.cell), face: face.face });
         }
         let (kind, nodes) = mesh.face(face);
         let degree = match kind {
@@ -153,9 +153,9 @@ impl Forces<'_> {
         match structure.elements[cell.block as usize].family() {
             Family::Solid => self.pull(cell, direction),
             Family::Truss | Family::Beam => {
-                let label = structure.mesh.cell_label(cell);
-                let section = structure.line_section_of(cell).ok_or(LoadError::NoSection { label })?;
-                let bare = || LoadError::NoDensity { label, material: section.name.clone() };
+                let label = || structure.mesh.cell_name(cell);
+                let section = structure.line_section_of(cell).ok_or_else(|| LoadError::NoSection { label: label() })?;
+                let bare = || LoadError::NoDensity { label: label(), material: section.name.clone() };
                 let mass = section.density.ok_or_else(bare)? * section.profile.area;
                 self.along(section, cell, direction.map(|d| mass * d))
             }
@@ -175,11 +175,11 @@ impl Forces<'_> {
         let section = self.section(cell)?;
         let (space, thickness) = (section.element.space(), section.thickness);
         let material = &self.structure.materials[section.material];
-        let label = mesh.cell_label(cell);
+        let label = || mesh.cell_name(cell);
         let density =
-            material.density.ok_or_else(|| LoadError::NoDensity { label, material: material.name.clone() })?;
+            material.density.ok_or_else(|| LoadError::NoDensity { label: label(), material: material.name.clone() })?;
         if space == Space::Axisymmetric && direction[0] != 0.0 {
-            return Err(LoadError::AcrossAxis { label });
+            return Err(LoadError::AcrossAxis { label: label() });
         }
         let kind = mesh.kind(cell);
         let nodes = mesh.cell(cell);

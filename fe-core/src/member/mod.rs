@@ -23,7 +23,7 @@ pub struct BadMember {
     /// The cell.
     pub cell: CellId,
     /// Its label.
-    pub label: u64,
+    pub label: String,
     /// Its element type.
     pub element: ElementType,
     /// What is wrong.
@@ -144,8 +144,7 @@ impl Members {
     ) -> Result<Self, BadMember> {
         let mesh = &structure.mesh;
         for &cell in cells {
-            let label = mesh.cell_label(cell);
-            let bad = |defect| BadMember { cell, label, element: self.element, defect };
+            let bad = |defect| BadMember { cell, label: mesh.cell_name(cell), element: self.element, defect };
             let points = points(mesh, cell).map_err(bad)?;
             let nodes = mesh.cell(cell);
             let own = |mask: u8| (0..6).filter(move |c| mask >> c & 1 == 1);
@@ -188,7 +187,7 @@ impl Members {
 pub fn check(structure: &Structure, section: &LineSection) -> Result<(), BadMember> {
     let mesh = &structure.mesh;
     section.cells.iter().try_for_each(|&cell| {
-        let bad = |defect| BadMember { cell, label: mesh.cell_label(cell), element: section.element, defect };
+        let bad = |defect| BadMember { cell, label: mesh.cell_name(cell), element: section.element, defect };
         line_points(mesh, section, cell).map(|_| ()).map_err(bad)
     })
 }
@@ -197,7 +196,7 @@ pub fn check(structure: &Structure, section: &LineSection) -> Result<(), BadMemb
 pub fn check_springs(structure: &Structure, section: &Discrete) -> Result<(), BadMember> {
     let mesh = &structure.mesh;
     section.cells.iter().try_for_each(|&cell| {
-        let bad = |defect| BadMember { cell, label: mesh.cell_label(cell), element: section.element, defect };
+        let bad = |defect| BadMember { cell, label: mesh.cell_name(cell), element: section.element, defect };
         spring::rates(mesh, section, cell).map(|_| ()).map_err(bad)
     })
 }
@@ -215,7 +214,7 @@ pub fn nodal_forces(
     match element.family() {
         Family::Beam => beam::nodal_forces(element, [x[0], x[1]], q).map_err(|defect| BadMember {
             cell,
-            label: mesh.cell_label(cell),
+            label: mesh.cell_name(cell),
             element,
             defect,
         }),

@@ -14,7 +14,7 @@ pub struct BadElement {
     /// The cell.
     pub cell: CellId,
     /// Its label.
-    pub label: u64,
+    pub label: String,
     /// Its element type.
     pub element: ElementType,
     /// What is wrong.
@@ -30,13 +30,13 @@ pub struct FoldedCorner {
     /// The cell.
     pub cell: CellId,
     /// Its label.
-    pub label: u64,
+    pub label: String,
     /// Its element type.
     pub element: ElementType,
     /// The corner where j is least, from 0.
     pub corner: usize,
     /// Label of its node.
-    pub node: u64,
+    pub node: String,
     /// j there [L³].
     pub jacobian: f64,
 }
@@ -163,7 +163,7 @@ impl Checker {
         let x: Vec<[f64; 3]> = mesh.cell(cell).iter().map(|&n| mesh.points[n as usize]).collect();
         let jacobians: Vec<f64> = self.places.iter().map(|(_, g)| self.jacobian(&x, g)).collect();
         if let Some(defect) = self.defect(&x, &jacobians) {
-            return Err(BadElement { cell, label: mesh.cell_label(cell), element: self.element, defect });
+            return Err(BadElement { cell, label: mesh.cell_name(cell), element: self.element, defect });
         }
         let axisymmetric = self.element.space() == Space::Axisymmetric;
         let share = |((weight, values), j): (&(f64, Vec<f64>), &f64)| {
@@ -173,10 +173,10 @@ impl Checker {
         let volume = self.points.iter().zip(&jacobians[self.corners..]).map(share).sum();
         let folded = self.folded_corner(&jacobians).map(|corner| FoldedCorner {
             cell,
-            label: mesh.cell_label(cell),
+            label: mesh.cell_name(cell),
             element: self.element,
             corner,
-            node: mesh.point_labels[mesh.cell(cell)[corner] as usize],
+            node: mesh.point_name(mesh.cell(cell)[corner]),
             jacobian: jacobians[corner],
         });
         Ok((volume, folded))

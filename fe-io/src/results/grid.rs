@@ -3,6 +3,7 @@
 use super::container::{Attribute, Container, Numbers, Owner};
 use super::error::ResultsError;
 use fe_mesh::cell::CellKind;
+use fe_mesh::mesh::Instance;
 
 /// Cells of one kind.
 #[derive(Clone, Copy, Debug)]
@@ -26,14 +27,19 @@ pub struct Grid<'a> {
     pub blocks: &'a [GridBlock<'a>],
     /// Body (section) of each cell, blocks in order, `[cells]`.
     pub body: &'a [u32],
+    /// Copies of parts, in which labels are unique; none in most jobs.
+    pub instances: &'a [Instance],
 }
 
 /// Arrays that stand beside the fields and never change: name, at points or cells, meaning.
-pub(crate) const LABELS: [(&str, &str, &str); 3] = [
+const LABELS: [(&str, &str, &str); 3] = [
     ("NodeLabel", "PointData", "label of the node"),
     ("ElementLabel", "CellData", "label of the element"),
     ("Body", "CellData", "section that the element belongs to, from 0"),
 ];
+
+/// Where the numbers of the instances stand, in a job of parts.
+const INSTANCE: [(&str, &str); 2] = [("Instance", "PointData"), ("Instance", "CellData")];
 
 /// Nodes that VTK's cell of this kind has: it knows no pyramid of 14 nodes.
 fn vtk_nodes(kind: CellKind) -> usize {
@@ -44,6 +50,12 @@ impl Grid<'_> {
     /// Number of cells.
     pub fn cells(&self) -> usize {
         self.blocks.iter().map(|b| b.labels.len()).sum()
+    }
+
+    /// Arrays that stand beside the fields and never change: name, and group.
+    pub(crate) fn constant_arrays(&self) -> impl Iterator<Item = (&'static str, &'static str)> + use<> {
+        let instances = if self.instances.is_empty() { &[][..] } else { &INSTANCE[..] };
+        LABELS.into_iter().map(|(name, group, _)| (name, group)).chain(instances.iter().copied())
     }
 
     pub(crate) fn check(&self) -> Result<(), ResultsError> {
@@ -93,6 +105,27 @@ impl Grid<'_> {
             file.array(&path, 1, Numbers::Integer(&values))?;
             file.attribute(Owner::Array(&path), "meaning", Attribute::Text(meaning))?;
         }
+        if self.instances.is_empty() { Ok(()) } else { self.write_instances(file) }
+    }
+
+    /// Which instance each point and each cell belongs to: labels are unique in it.
+    fn write_instances(&self, file: &impl Container) -> Result<(), ResultsError> {
+        let before = |block: u32| self.blocks[..block as usize].iter().map(|b| b.labels.len()).sum::<usize>();
+        let (mut points, mut cells) = (vec![0i64; self.points.len()], vec![0i64; self.cells()]);
+        for (number, instance) in (1..).zip(self.instances) {
+            let range = |r: &std::ops::Range<u32>, from: usize| from + r.start as usize..from + r.end as usize;
+            points[range(&instance.points, 0)].fill(number);
+            for (block, own) in &instance.cells {
+                cells[range(own, before(*block))].fill(number);
+            }
+        }
+        let names: Vec<&str> = self.instances.iter().map(|instance| instance.name.as_str()).collect();
+        let meaning = format!("instance that the label belongs to, from 1: {}; 0: none", names.join(", "));
+        for ((name, group), values) in INSTANCE.into_iter().zip([points, cells]) {
+            let path = format!("VTKHDF/{group}/{name}");
+            file.array(&path, 1, Numbers::Integer(&values))?;
+            file.attribute(Owner::Array(&path), "meaning", Attribute::Text(&meaning))?;
+        }
         Ok(())
     }
 }
@@ -105,7 +138,7 @@ mod tests {
     fn a_grid_that_does_not_fit_is_refused() {
         let points = [[0.0; 3]; 4];
         let block = GridBlock { kind: CellKind::Tet4, labels: &[7], nodes: &[0, 1, 2, 4] };
-        let grid = Grid { points: &points, node_labels: &[1, 2, 3, 4], blocks: &[block], body: &[0] };
+        let grid = Grid { points: &points, node_labels: &[1, 2, 3, 4], blocks: &[block], body: &[0], instances: &[] };
         assert!(matches!(grid.check(), Err(ResultsError::Point { label: 7, point: 4, points: 4 })));
         let short = GridBlock { nodes: &[0, 1, 2], ..block };
         assert!(matches!(Grid { blocks: &[short], ..grid }.check(), Err(ResultsError::Length { expected: 4, .. })));

@@ -9,7 +9,7 @@
 use super::container::{Attribute, Container, Numbers, Owner, RustHdf5, Series, aligned_chunk};
 use super::error::ResultsError;
 use super::fields::{FieldInfo, Location};
-use super::grid::{Grid, LABELS};
+use super::grid::Grid;
 use super::history::{self, HistoryInfo, HistoryRow};
 use super::steps;
 use std::path::{Path, PathBuf};
@@ -70,7 +70,7 @@ impl ResultsFile {
     ) -> Result<Self, ResultsError> {
         grid.check()?;
         history::check(histories)?;
-        check_names(fields)?;
+        check_names(fields, grid)?;
         let unfinished = beside(path);
         let file = RustHdf5::create(&unfinished)?;
         write_start(&file, job, grid, fields, histories)?;
@@ -227,11 +227,11 @@ fn beside(path: &Path) -> PathBuf {
     name.into()
 }
 
-fn check_names(fields: &[FieldInfo]) -> Result<(), ResultsError> {
+fn check_names(fields: &[FieldInfo], grid: &Grid) -> Result<(), ResultsError> {
     for (i, field) in fields.iter().enumerate() {
         let same = |name: &str, location| name == field.name && location == field.location.group();
         let taken = fields[..i].iter().any(|f| same(f.name, f.location.group()))
-            || LABELS.iter().any(|(name, group, _)| same(name, group));
+            || grid.constant_arrays().any(|(name, group)| same(name, group));
         if field.name.is_empty() || field.name.contains(['/', '.']) || taken {
             return Err(ResultsError::Name(field.name.into()));
         }
@@ -267,7 +267,7 @@ fn write_start(
     };
     history::create(file, &frames)?;
     histories.iter().try_for_each(|history| history::create(file, history))?;
-    steps::create(file, fields)
+    steps::create(file, fields, grid)
 }
 
 fn write_field(file: &RustHdf5, field: &FieldInfo, grid: &Grid) -> Result<(), ResultsError> {

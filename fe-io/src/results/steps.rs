@@ -3,7 +3,7 @@
 use super::container::{Attribute, Container, Numbers, Owner, Series};
 use super::error::ResultsError;
 use super::fields::{FieldInfo, Location};
-use super::grid::LABELS;
+use super::grid::Grid;
 
 const STEPS: &str = "VTKHDF/Steps";
 const ZEROS: &str = "VTKHDF/Steps/PartOffsets";
@@ -26,7 +26,7 @@ impl Location {
 /// so its members are listed elsewhere, `NSteps` stands in the first block of the group's header, that block is near the
 /// header of `Values`, and both change in one write. Arrays that hold the same numbers are one array with
 /// several names: all fields at points begin in the same row, and what never changes begins in row 0.
-pub(crate) fn create(file: &impl Container, fields: &[FieldInfo]) -> Result<(), ResultsError> {
+pub(crate) fn create(file: &impl Container, fields: &[FieldInfo], grid: &Grid) -> Result<(), ResultsError> {
     file.group(STEPS)?;
     file.attribute(Owner::Group(STEPS), "NSteps", Attribute::Integer(0))?;
     file.integer_series(ZEROS, ONE_A_FRAME)?;
@@ -49,7 +49,7 @@ pub(crate) fn create(file: &impl Container, fields: &[FieldInfo]) -> Result<(), 
         }
     }
     file.group(&format!("{STEPS}/FieldDataOffsets"))?;
-    for (name, group, _) in LABELS {
+    for (name, group) in grid.constant_arrays() {
         file.alias(&format!("{STEPS}/{group}Offsets/{name}"), ZEROS)?;
     }
     file.real_series(VALUES, ONE_A_FRAME)

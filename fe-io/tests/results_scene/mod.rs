@@ -94,7 +94,13 @@ impl Scene {
     pub fn create(&self, path: &Path) -> Result<ResultsFile, ResultsError> {
         let blocks: Vec<GridBlock> =
             self.blocks.iter().map(|(kind, labels, nodes)| GridBlock { kind: *kind, labels, nodes }).collect();
-        let grid = Grid { points: &self.points, node_labels: &self.node_labels, blocks: &blocks, body: &self.body };
+        let grid = Grid {
+            points: &self.points,
+            node_labels: &self.node_labels,
+            blocks: &blocks,
+            body: &self.body,
+            instances: &[],
+        };
         let job = JobInfo { job: "rows", heading: "Cubes in a row, größer", version: "0.1.0" };
         ResultsFile::create(path, job, &grid, FIELDS, &histories())
     }

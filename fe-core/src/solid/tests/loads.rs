@@ -121,10 +121,10 @@ fn what_cannot_be_loaded_is_named() {
     let cells: Vec<_> = scene.structure.mesh.cells().collect();
     let of = |scene: &Scene, load: LoadKind| unit_forces(&load, &scene.structure, &scene.freedoms).unwrap_err();
     let error = of(&scene, LoadKind::Gravity { cells: cells.clone(), direction: [1.0, 0.0, 0.0] });
-    assert_eq!(error, LoadError::AcrossAxis { label: 1 });
+    assert_eq!(error, LoadError::AcrossAxis { label: "1".into() });
     assert_eq!(
         of(&scene, LoadKind::Nodal { nodes: vec![4], component: 2 }),
-        LoadError::NoFreedom { label: 5, component: 2 }
+        LoadError::NoFreedom { label: "5".into(), component: 2 }
     );
     let faces = vec![Face { cell: cells[0], face: 4 }];
     assert_eq!(of(&scene, LoadKind::Pressure { faces }).to_string(), "element 1 has no face S5 to press on");
