@@ -2,7 +2,7 @@
 
 use crate::carry::{Carried, Ground, NoStiffness};
 use crate::closest::EXTENSION;
-use crate::conditions::Conditions;
+use crate::conditions::Activity;
 use crate::contact::Contact;
 use crate::enforce::TOUCH;
 use crate::error::PairError;
@@ -36,11 +36,16 @@ impl Contact {
         let mut sides = Prepared::new(structure, definition, interaction)?;
         let discretization = settle(definition, &mut sides)?;
         let deepest = deepest(definition, &sides, interaction);
-        let (constraints, searched) = constrain(structure, definition, &sides, (discretization, deepest));
+        let (mut constraints, searched) = constrain(structure, definition, &sides, (discretization, deepest));
         if let Some((depth, node)) = constraints.too_deep {
             let (secondary, main) = (definition.secondary_name.clone(), definition.main_name.clone());
             let node = label(structure, node);
             return Err(PairError::TooDeep { node, depth, limit: deepest, secondary, main });
+        }
+        for share in &mut constraints.shares {
+            if let Some(clearance) = definition.clearance.as_ref().and_then(|c| c.of(share.node)) {
+                share.stand(clearance.value, clearance.normal.map(Vec3::from));
+            }
         }
         remark(definition, &constraints, (discretization, &mut sides.notes));
         sides.notes.extend(begins_inside(structure, definition, &constraints, deepest));
@@ -107,7 +112,8 @@ impl Contact {
             points,
             cells,
             sides,
-            conditions: Conditions::default(),
+            activity: Activity::Acting,
+            allowance: None,
         })
     }
 }
@@ -281,7 +287,7 @@ fn begins_inside(
     let label = label(structure, node);
     Some(format!(
         "{kind}{count} nodes of {secondary} begin inside of {main}: the overlap, {depth:.6e} at most (node {label}), is \
-         pressed out in the first increment; ADJUST removes it without strain"
+         pressed out in the first increment; *CONTACT INTERFERENCE lets it be at first, ADJUST removes it without strain"
     ))
 }
 

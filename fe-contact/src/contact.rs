@@ -1,8 +1,9 @@
 //! Contact as a term: points that share a law, however they were found.
 
-use crate::conditions::Conditions;
+use crate::conditions::Activity;
 use crate::enforce::Multipliers;
 use crate::facet::Vec3;
+use crate::interference::Allowance;
 use crate::law::NormalLaw;
 use crate::point::ContactPoint;
 use crate::sides::Prepared;
@@ -43,8 +44,10 @@ pub struct Contact {
     pub(crate) positions: BTreeMap<u32, Vec3>,
     /// Components of the reference node of a rigid main side.
     pub(crate) reference: Option<(u32, Vec<usize>)>,
-    /// What the present step says of it.
-    pub(crate) conditions: Conditions,
+    /// Whether the present step has it act.
+    pub(crate) activity: Activity,
+    /// Overclosure that the present step lets be.
+    pub(crate) allowance: Option<Allowance>,
 }
 
 impl Contact {

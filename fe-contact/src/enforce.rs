@@ -58,6 +58,7 @@ impl Contact {
         held: bool,
     ) -> (NormalResponse, ContactStatus) {
         let shift = self.shift(point, history);
+        let gap = gap + self.allowed(point, history);
         let (mut answer, mut status) = self.respond(gap - shift);
         if held && status == ContactStatus::Open {
             (answer, status) = (mirrored(&*self.law, gap - shift), ContactStatus::Closed);

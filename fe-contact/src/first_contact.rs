@@ -42,7 +42,7 @@ impl RigidContact {
         let mut points = every_point(pairs);
         points.iter().any(|(pair, i)| pair.on_plateau(*i, u)).then(|| {
             let answers = |(pair, i): &(&Contact, usize)| {
-                pair.opening(*i, u) <= pair.law().reach() + pair.touch && !pair.on_plateau(*i, u)
+                pair.opening_at_start(*i, u) <= pair.law().reach() + pair.touch && !pair.on_plateau(*i, u)
             };
             points.retain(answers);
             Self::of(&points, u, motions)
@@ -50,7 +50,7 @@ impl RigidContact {
     }
 
     fn of(points: &[(&Contact, usize)], u: &[f64], motions: impl ExactSizeIterator<Item = Vec<f64>>) -> Self {
-        let gaps: Vec<f64> = points.iter().map(|(pair, i)| pair.opening(*i, u) - pair.law().reach()).collect();
+        let gaps: Vec<f64> = points.iter().map(|(pair, i)| pair.opening_at_start(*i, u) - pair.law().reach()).collect();
         let touch: Vec<f64> = points.iter().map(|(pair, _)| pair.touch).collect();
         let mut rates = DMatrix::zeros(gaps.len(), motions.len());
         for (k, field) in motions.enumerate() {

@@ -16,6 +16,7 @@ pub mod facet;
 pub mod first_contact;
 pub mod gap;
 pub mod interaction;
+pub mod interference;
 pub mod law;
 mod line;
 pub mod node_to_surface;

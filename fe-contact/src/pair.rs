@@ -20,6 +20,36 @@ pub enum Adjust {
     Nodes(Vec<u32>),
 }
 
+/// `*CLEARANCE`: gaps of the start that take the place of those between the surfaces; no node moves.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Clearance {
+    /// The same [L] everywhere.
+    Everywhere(f64),
+    /// Of secondary nodes, ascending; others keep theirs.
+    Nodes(Vec<NodeClearance>),
+}
+
+/// The clearance of one node.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct NodeClearance {
+    /// Secondary node.
+    pub node: u32,
+    /// Gap [L] at the start, negative where the surfaces overlap.
+    pub value: f64,
+    /// Unit normal of the main side; `None`: that of the surface.
+    pub normal: Option<[f64; 3]>,
+}
+
+impl Clearance {
+    /// That of a node.
+    pub fn of(&self, node: u32) -> Option<NodeClearance> {
+        match self {
+            Clearance::Everywhere(value) => Some(NodeClearance { node, value: *value, normal: None }),
+            Clearance::Nodes(list) => list.binary_search_by_key(&node, |c| c.node).ok().map(|i| list[i]),
+        }
+    }
+}
+
 /// A contact pair as a model holds it.
 #[derive(Clone, Debug)]
 pub struct PairDefinition {
@@ -39,4 +69,6 @@ pub struct PairDefinition {
     pub small_sliding: bool,
     /// Strain-free adjustment.
     pub adjust: Option<Adjust>,
+    /// Gaps of the start.
+    pub clearance: Option<Clearance>,
 }

@@ -30,7 +30,7 @@ pub fn redundant(contacts: &[Contact], u: &[f64], fixed: &[bool]) -> Vec<Redunda
         let elsewhere = |n: &u32| secondary.get(n).is_some_and(|of| of.iter().any(|&other| other != k));
         for (i, point) in contact.points.iter().enumerate() {
             let here = contact.at(i, u);
-            if here.gap > contact.law.reach() + contact.touch {
+            if contact.opening_at_start(i, u) > contact.law.reach() + contact.touch {
                 continue;
             }
             let freedoms = contact.places[i].iter().cloned().flatten();
@@ -64,7 +64,7 @@ pub fn contradiction(contacts: &[Contact], u: &[f64], fixed: &[bool]) -> Option<
         let reach = contact.law.reach();
         for (i, point) in contact.points.iter().enumerate() {
             let here = contact.at(i, u);
-            let overclosure = reach - here.gap;
+            let overclosure = reach - contact.opening_at_start(i, u);
             let mut freedoms = contact.places[i].iter().cloned().flatten().zip(here.row.iter());
             let contradicts = overclosure > contact.touch && freedoms.all(|(f, d)| fixed[f] || *d == 0.0);
             if contradicts && deepest.is_none_or(|d| overclosure > d.overclosure) {

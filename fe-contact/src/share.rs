@@ -27,6 +27,16 @@ impl Share {
         Share { node, weight: 0.0, gap: 0.0, normal: Vec3::zeros(), rows: Vec::new(), turn: Vec3::zeros() }
     }
 
+    /// Takes another gap [L], and where there is one another normal of a main surface of elements.
+    pub fn stand(&mut self, gap: f64, normal: Option<Vec3>) {
+        self.gap = gap * self.weight;
+        if let Some(to) = normal {
+            let from = self.normal.try_normalize(0.0).unwrap_or_else(Vec3::zeros);
+            self.rows.iter_mut().for_each(|(_, d)| *d = to * d.dot(&from));
+            self.normal = to * self.weight;
+        }
+    }
+
     /// Adds the moving rigid surface: a point of it at `arm` from the reference node moves by u + θ × arm.
     pub fn add_rigid(&mut self, reference: u32, normal: &Vec3, arm: &Vec3, weight: f64) {
         self.rows.push((reference, normal * -weight));

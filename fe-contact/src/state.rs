@@ -90,9 +90,9 @@ impl Contact {
         let mut turning = Vec3::zeros();
         for (i, p) in self.points.iter().enumerate() {
             let here = self.at(i, u);
-            let opening = here.gap;
+            let opening = here.gap + self.allowed(i, history);
             let (answer, status) = if self.acts() {
-                self.answer(i, opening, history, self.is_held(i, history))
+                self.answer(i, here.gap, history, self.is_held(i, history))
             } else {
                 Default::default()
             };

@@ -107,7 +107,7 @@ impl Term for Contact {
     }
 
     fn history(&self) -> usize {
-        if self.multipliers.is_some() { 2 * self.points.len() } else { self.points.len() }
+        self.numbers() + usize::from(self.allowance.is_some())
     }
 
     fn augment(&self, at: Equilibrium, old: &[f64], new: &mut [f64]) -> Option<Overlap> {
@@ -123,6 +123,7 @@ impl Term for Contact {
         if !self.acts() {
             return Ok(());
         }
+        self.allow(&at, new);
         let blocks = out.stiffness.as_deref().map(|k| self.blocks(&k.pattern));
         for (i, p) in self.points.iter().enumerate() {
             let here = self.at(i, at.u);

@@ -82,6 +82,7 @@ fn deviation(patch: &Patch, enforcement: Enforcement) -> f64 {
         discretization: Discretization::SurfaceToSurface,
         small_sliding: true,
         adjust: None,
+        clearance: None,
     };
     let interaction = Interaction {
         name: "I".into(),

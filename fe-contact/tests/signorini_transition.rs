@@ -72,6 +72,7 @@ fn solve(element: ElementType, n: usize, discretization: Discretization, direct:
         discretization,
         small_sliding: true,
         adjust: None,
+        clearance: None,
     };
     // With K ∝ 1/h² the penalty's own error stays below that of the elements.
     let modulus = ELASTIC.lambda() + 2.0 * ELASTIC.mu();

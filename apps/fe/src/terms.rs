@@ -97,7 +97,7 @@ impl Terms {
             if contact.acts() && conditions.activity == Activity::Removed {
                 released.extend(contact.force(&at.u, history));
             }
-            contact.enter(conditions, history);
+            contact.enter(conditions, (at.total_time, step.increments.period), history);
         }
         released
     }

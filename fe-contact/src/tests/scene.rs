@@ -162,6 +162,7 @@ pub fn surfaces(secondary: Vec<Face>, main: Vec<Face>, discretization: Discretiz
         discretization,
         small_sliding: true,
         adjust: None,
+        clearance: None,
     }
 }
 

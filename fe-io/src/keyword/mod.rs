@@ -6,6 +6,8 @@ pub mod row;
 mod amplitude;
 mod beam_section;
 mod boundary;
+mod clearance;
+mod contact_interference;
 mod contact_pair;
 pub(crate) mod controls;
 mod discrete;
@@ -66,11 +68,13 @@ pub const CARDS: &[&Keyword] = &[
     &surface_behavior::SURFACE_BEHAVIOR,
     &contact_pair::CONTACT_PAIR,
     &gap::GAP,
+    &clearance::CLEARANCE,
     &boundary::BOUNDARY,
     &step::STEP,
     &procedure::STATIC,
     &controls::CONTROLS,
     &model_change::MODEL_CHANGE,
+    &contact_interference::CONTACT_INTERFERENCE,
     &loads::CLOAD,
     &loads::DLOAD,
     &loads::DSLOAD,

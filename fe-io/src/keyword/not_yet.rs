@@ -129,8 +129,6 @@ pub(super) const CARDS: &[(&[&str], &str)] = &[
         ],
         PAIR,
     ),
-    (&["CLEARANCE"], "move the surface by its coordinates, or use `ADJUST=` on `*CONTACT PAIR`"),
-    (&["CONTACT INTERFERENCE"], "an overlap in the coordinates acts in the first increment"),
     (&["CONTACT CONTROLS"], "penalty stiffness and scale stand on the data line of `*SURFACE BEHAVIOR, PENALTY`"),
     (
         &[

@@ -3,6 +3,7 @@
 mod amplitudes;
 mod asked;
 mod beams;
+mod clearances;
 mod combine;
 mod conditions;
 mod contact_elements;
@@ -12,6 +13,7 @@ mod discrete;
 mod elements;
 mod faces;
 mod interactions;
+mod interferences;
 mod labels;
 mod loads;
 mod materials;
@@ -80,6 +82,9 @@ pub fn resolve(deck: &Deck, library: &Library) -> Result<Model, Diagnostics> {
     let mut gaps = Vec::new();
     each(&entries, &["GAP"], &mut scene, |entry, scene| {
         gaps.extend(contact_elements::gaps(entry, scene, &interactions, &mut diagnostics));
+    });
+    each(&entries, &["CLEARANCE"], &mut scene, |entry, scene| {
+        clearances::read(entry, scene, &mut contact_pairs, &mut diagnostics);
     });
     let mut supports = Supports::default();
     for entry in entries.iter().filter(|entry| entry.step.is_none() && entry.keyword.name == "BOUNDARY") {

@@ -58,6 +58,7 @@ pub fn read(
             discretization,
             small_sliding,
             adjust,
+            clearance: None,
         };
         pairs.extend(once::only_new(pair, pairs, line.span, diagnostics).map(|pair| (pair, place)));
     }

@@ -211,7 +211,7 @@ fn tables_of(
         _ => &["CSTRESS", "CDISP", "CF", "CFN", "CFS"],
     };
     let Some(set) = set_name(entry, scene, diagnostics) else { return Vec::new() };
-    let pair = which_pair::of_parameters(entry, pairs, diagnostics);
+    let pair = which_pair::of_parameters(entry, pairs, scene, diagnostics);
     let frequency = entry.whole("FREQUENCY").map_or(1, |n| n as usize);
     let totals = match entry.name("TOTALS").as_deref() {
         Some("YES") => Totals::Yes,

@@ -43,6 +43,7 @@ pub fn read(
 ) -> Option<Step> {
     let (first, rest) = entries.split_first()?;
     in_force.requests.begin_step();
+    in_force.conditions.begin_step(replaces(rest, &["CONTACT INTERFERENCE"], diagnostics));
     if let Some(convert) = first.name("CONVERT SDI") {
         in_force.controls.convert_sdi = convert == "YES";
     }
@@ -63,7 +64,8 @@ pub fn read(
                 }
             }
             "CONTROLS" => controls::read(entry, scene.deck, &mut in_force.controls, diagnostics),
-            "MODEL CHANGE" => in_force.conditions.change(entry, scene.deck, named.pairs, diagnostics),
+            "MODEL CHANGE" => in_force.conditions.change(entry, scene, named.pairs, diagnostics),
+            "CONTACT INTERFERENCE" => in_force.conditions.interfere(entry, scene, named, diagnostics),
             "BOUNDARY" => supports.read(entry, scene, named.amplitudes, diagnostics),
             "CLOAD" => loads[0].extend(loads::read(entry, scene, named.amplitudes, diagnostics)),
             "DLOAD" | "DSLOAD" => loads[1].extend(loads::read(entry, scene, named.amplitudes, diagnostics)),
@@ -76,6 +78,9 @@ pub fn read(
     if increments.is_none() && !other_procedure(first, scene) {
         let fault = Diagnostic::error(first.card.span, "this step has no procedure");
         diagnostics.push(fault.help("say `*STATIC` after `*STEP`"));
+    }
+    if let Some((Some(increments), _)) = &increments {
+        in_force.conditions.end_step(increments.period);
     }
     let [nodal_loads, distributed_loads] = loads;
     Some(Step {

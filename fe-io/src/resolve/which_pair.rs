@@ -1,6 +1,7 @@
 //! Which contact pair a card means.
 
-use crate::deck::card::{Token, normalized};
+use super::scene::Scene;
+use crate::deck::card::Token;
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::keyword::check::Entry;
 use crate::model::Place;
@@ -10,6 +11,7 @@ use fe_contact::pair::PairDefinition;
 pub fn of_parameters(
     entry: &Entry<'_>,
     pairs: &[(PairDefinition, Place)],
+    scene: &Scene<'_>,
     diagnostics: &mut Diagnostics,
 ) -> Option<usize> {
     let (main, secondary) = (entry.value("MAIN"), entry.value("SECONDARY"));
@@ -20,17 +22,17 @@ pub fn of_parameters(
         return None;
     };
     let [secondary, main] = [secondary, main].map(|value| Token { text: &value.text, span: value.span });
-    named(secondary, main, pairs, diagnostics)
+    named((secondary, main), pairs, scene, diagnostics)
 }
 
 /// The pair of two surfaces; a missing one is told, unless faults of the pairs explain it.
 pub fn named(
-    secondary: Token<'_>,
-    main: Token<'_>,
+    (secondary, main): (Token<'_>, Token<'_>),
     pairs: &[(PairDefinition, Place)],
+    scene: &Scene<'_>,
     diagnostics: &mut Diagnostics,
 ) -> Option<usize> {
-    let names = [secondary, main].map(|token| normalized(token.text));
+    let names = [secondary, main].map(|token| scene.full_name(token.text));
     let found = pairs.iter().position(|(p, _)| p.secondary_name == names[0] && p.main_name == names[1]);
     if found.is_none() && diagnostics.faults() == 0 {
         let title = format!("there is no contact pair of `{}` and `{}`", names[0], names[1]);
