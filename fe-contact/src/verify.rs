@@ -55,6 +55,27 @@ const INTERVALS: usize = 200;
 /// Bound on |difference − slope|, of the largest slope in the range [-].
 const BOUND: f64 = 1e-5;
 
+/// Differences of a right law agree with its slopes at one of these parts of the first step at the latest: smaller ones meet
+/// less of its curvature, and rounding is still below the bound [-].
+const STEPS: [f64; 3] = [1.0, 1e-1, 1e-2];
+
+/// Checks a law near its reach and down to an overclosure of `size` [L], > 0, that of a model: over ranges each a sixteenth
+/// of the one before, so that the smallest lengths of a law count, too. Ranges where its numbers grow beyond all bounds are
+/// left out.
+pub fn at_all_scales(law: &dyn NormalLaw, size: f64) -> Result<(), LawFault> {
+    for power in 0..5 {
+        let depth = size * 16f64.powi(-power);
+        let reach = law.reach();
+        let deepest = law.respond(reach - depth);
+        let bounded = [deepest.energy, deepest.pressure, deepest.stiffness].iter().all(|v| *v != f64::INFINITY);
+        // Nearer than this the rounding of the reach itself shows in differences.
+        if bounded && depth > 1e-3 * reach.abs() {
+            self::law(law, reach - depth..reach + 0.1 * depth)?;
+        }
+    }
+    Ok(())
+}
+
 /// Checks a law over a range of gaps [L] by central differences in the middle of 200 intervals, with a step of 1e-4 of
 /// an interval: truncation is of order (step / curvature length)², round-off 1e-16 over the relative step 5e-7. Both
 /// are below the bound of 1e-5 of the largest value. Intervals that hold the reach or a kink that the law names, and
@@ -85,17 +106,21 @@ pub fn law(law: &dyn NormalLaw, range: Range<f64>) -> Result<(), LawFault> {
         if kinks.iter().any(|kink| (gap - kink).abs() <= width) {
             continue;
         }
-        let (low, high) = (law.respond(gap - step), law.respond(gap + step));
-        let slope = (low.energy - high.energy) / (2.0 * step);
-        if (slope - at.pressure).abs() > BOUND * pressures {
-            return Err(LawFault::Pressure { gap, pressure: at.pressure, slope });
+        let slopes = STEPS.map(|part| slopes(law, gap, part * step));
+        if slopes.iter().all(|[slope, _]| (slope - at.pressure).abs() > BOUND * pressures) {
+            return Err(LawFault::Pressure { gap, pressure: at.pressure, slope: slopes[0][0] });
         }
-        let slope = (low.pressure - high.pressure) / (2.0 * step);
-        if (slope - at.stiffness).abs() > BOUND * stiffnesses {
-            return Err(LawFault::Stiffness { gap, stiffness: at.stiffness, slope });
+        if slopes.iter().all(|[_, slope]| (slope - at.stiffness).abs() > BOUND * stiffnesses) {
+            return Err(LawFault::Stiffness { gap, stiffness: at.stiffness, slope: slopes[0][1] });
         }
     }
     Ok(())
+}
+
+/// −Δψ/Δg and −Δp/Δg around a gap.
+fn slopes(law: &dyn NormalLaw, gap: f64, step: f64) -> [f64; 2] {
+    let (low, high) = (law.respond(gap - step), law.respond(gap + step));
+    [low.energy - high.energy, low.pressure - high.pressure].map(|difference| difference / (2.0 * step))
 }
 
 #[cfg(test)]
@@ -112,6 +137,9 @@ mod tests {
             law(&*example, -1.0..1.0).unwrap();
             // The part where it begins, which a stiff law hides in the whole.
             law(&*example, -0.1..example.reach() + 0.1).unwrap();
+            for size in [1e-3, 1.0, 1e3, 1e6] {
+                at_all_scales(&*example, size).unwrap();
+            }
         }
         for clearance in [0.0, 0.25, -0.1] {
             law(&Linear { slope: 7e5, clearance }, -1.0..1.0).unwrap();
@@ -131,6 +159,12 @@ mod tests {
     fn broken_laws_are_found() {
         let twice = Wrong(|g| NormalResponse { energy: g * g, pressure: -g, stiffness: 1.0 });
         assert!(matches!(law(&twice, -1.0..0.5), Err(LawFault::Pressure { .. })));
+        // A slip that only shows in the millionth part of a model.
+        let slip = Wrong(|g| {
+            let k = if g > -1e-6 { 1.0 } else { 2.0 };
+            NormalResponse { energy: 0.5 * g * g, pressure: -g, stiffness: k }
+        });
+        assert!(matches!(at_all_scales(&slip, 1.0), Err(LawFault::Stiffness { .. })));
         let soft = Wrong(|g| NormalResponse { energy: 0.5 * g * g, pressure: -g, stiffness: 0.5 });
         assert!(matches!(law(&soft, -1.0..-0.1), Err(LawFault::Stiffness { .. })));
         let falling = Wrong(|g| NormalResponse { energy: -g, pressure: 1.0, stiffness: -1.0 });

@@ -99,6 +99,24 @@ fn a05_tabular_slider() {
     }
 }
 
+/// A formula that says the same as A02, A03 and A05 has their answers; K h^1.5 with K = 45000: 1000 x + K (x − 0.1)^1.5 = 500
+/// has x = 0.14, where p = 360.
+#[test]
+fn a_formula_has_the_closed_answer() {
+    let exponential = "p = p0/(exp(1) - 1) * z * (exp(z) - 1)\nz = 1 + h/c0\nc0 = 0.05\np0 = 200.\nreach = c0\n";
+    let tabular =
+        "p = 500*max(0, h + 0.02) - 500*max(0, h) + 3800*max(0, h - 0.05) - 3200*max(0, h - 0.1)\nreach = 0.02\n";
+    for (name, load, formula, expected) in [
+        ("linear", 500.0, "p = K*h\nK = 4000.\n", [0.18, 320.0]),
+        ("exponential", 500.0, exponential, [0.113951372312813, 386.0486276871873]),
+        ("tabular", 300.0, tabular, [0.179 + 0.0005 / 3.0, 120.0 + 2.5 / 3.0]),
+        ("plateau", 140.0, tabular, [0.13, 10.0]),
+        ("hertz", 500.0, "p = K * h^1.5\nK = 4.5e4\n", [0.14, 360.0]),
+    ] {
+        everywhere(&format!("laws_formula_{name}"), load, &law("FORMULA", formula), expected);
+    }
+}
+
 /// Four nodes without area: the law's number is a force, a quarter of the load on each; with areas a pressure again.
 #[test]
 fn without_area_the_number_is_a_force() {
@@ -120,6 +138,12 @@ fn the_plan_shows_the_law() {
     for (name, data, area, point) in [
         ("LINEAR", "4000.\n", "LINEAR, slope 4000 [F/L³]", "LINEAR, slope 4000 [F/L]"),
         ("EXPONENTIAL", "0.05, 200.\n", "200 [F/L²] at zero clearance with slope 1.032791e4 [F/L³]", "200 [F] at zero"),
+        (
+            "FORMULA",
+            "p = K * h^1.5\nK = 4e4\n",
+            "FORMULA, [F/L²] of the overclosure h [L]: p = K * h^1.5; K = 4e4",
+            "FORMULA, [F] of",
+        ),
         ("TABULAR", A05, "[F/L²] at an overclosure [L]: 0 at -0.02, 10 at 0, 10 at 0.05", "on with slope 600 [F/L]"),
     ] {
         for (contact, words) in [

@@ -1,6 +1,7 @@
 //! Pressure–overclosure laws: one gap in; energy, pressure and stiffness out.
 
 pub mod exponential;
+pub mod formula;
 pub mod linear;
 pub mod scale_factor;
 pub mod series;

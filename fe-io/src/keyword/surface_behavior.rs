@@ -8,13 +8,14 @@ pub const SURFACE_BEHAVIOR: Keyword = Keyword {
         Parameter::of(
             "PRESSURE-OVERCLOSURE",
             Kind::Law(&[
+                Choice::there("FORMULA"),
                 Choice::not_yet("SCALE FACTOR", "LINEAR is there"),
                 Choice::not_yet("TIED", "give both sides common nodes"),
                 Choice::not_yet("HERTZ", "it is for discrete elements"),
                 Choice::not_yet("JKR", "it is for discrete elements"),
                 Choice::not_yet("LKM", "it is for discrete elements"),
             ]),
-            "HARD (default) or a softened law",
+            "HARD (default) or a softened law; FORMULA: one of your own, written out",
         ),
         Parameter::of(
             "PENALTY",
@@ -34,6 +35,7 @@ pub const SURFACE_BEHAVIOR: Keyword = Keyword {
     data: Data::Lines(&[
         DataLine::optional(PENALTY).when("PENALTY or AUGMENTED LAGRANGE"),
         DataLine::many(&[]).when("a law: its numbers"),
+        DataLine::many(FORMULA).when("FORMULA: definitions in any order, each by others if need be"),
         DataLine::once(SCALE_FACTOR)
             .when("SCALE FACTOR: for general contact in Explicit, checked and refused elsewhere"),
     ]),
@@ -47,6 +49,18 @@ pub const PENALTY: &[Field] = &[
         .above(0.0),
     Field::number("clearance", "L", "clearance c at which the pressure vanishes").or("0"),
     Field::number("scale", "-", "factor f on K").or("1").above(0.0),
+];
+
+/// The data lines of a law written as a formula.
+pub const FORMULA: &[Field] = &[
+    Field::quantity(
+        "p = expression",
+        "F/L²",
+        "pressure, of the overclosure h [L] or the gap g = -h; + - * / ^ ( ), exp log sqrt sin cos tan tanh atan abs, \
+         min(a, b), max(a, b), if(a < b, one, other), pi; zero at larger clearances than the reach, and not negative",
+    ),
+    Field::quantity("reach = number", "L", "clearance from which on the pressure is zero").or("0"),
+    Field::quantity("NAME = expression", "", "a constant, or what else p uses; capitals do not count").or("as needed"),
 ];
 
 /// The data line of the law by scale factors.

@@ -192,6 +192,11 @@ impl Field {
         Field { name, meaning, ..FIELD }
     }
 
+    /// A line of its own that defines a quantity, `name = …`.
+    pub const fn quantity(name: &'static str, dimension: &'static str, meaning: &'static str) -> Self {
+        Field { dimension, ..Field::word(name, meaning) }
+    }
+
     /// It may be blank, and then means this.
     pub const fn or(mut self, blank: &'static str) -> Self {
         self.required = false;

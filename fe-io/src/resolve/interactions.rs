@@ -1,5 +1,6 @@
 //! `*SURFACE INTERACTION`, or the card of contact elements, with its `*SURFACE BEHAVIOR`.
 
+use super::formula;
 use super::nodes::fields;
 use crate::deck::Deck;
 use crate::deck::card::{Card, normalized};
@@ -10,7 +11,20 @@ use crate::keyword::row::{Row, of_law};
 use crate::keyword::{self, Field, Known, surface_behavior};
 use fe_contact::interaction::{Enforcement, Interaction, NormalBehavior, Penalty};
 use fe_contact::law::scale_factor::Scaling;
-use fe_contact::law::{Datum, LawDefinition, Laws, Lines};
+use fe_contact::law::{Datum, LawDefinition, Laws, Lines, NormalLaw};
+use fe_contact::verify::{self, LawFault};
+use std::sync::Arc;
+
+/// What cards are read with.
+#[derive(Clone, Copy, Debug)]
+pub struct Given<'a> {
+    /// The deck.
+    pub deck: &'a Deck,
+    /// The laws that it may name.
+    pub laws: &'a Laws,
+    /// Size [L] of the model.
+    pub size: f64,
+}
 
 /// The card that gives an interaction a name.
 const NAMED: &str = "SURFACE INTERACTION";
@@ -31,14 +45,15 @@ pub struct Interactions {
 
 impl Interactions {
     /// Reads all of them.
-    pub fn read(entries: &[Entry<'_>], deck: &Deck, laws: &Laws, diagnostics: &mut Diagnostics) -> Self {
+    pub fn read(entries: &[Entry<'_>], given: Given<'_>, diagnostics: &mut Diagnostics) -> Self {
+        let deck = given.deck;
         let mut all = Interactions::default();
         for entry in entries {
             if PARENTS.contains(&entry.keyword.name) {
                 all.begin(entry, deck, diagnostics);
                 continue;
             }
-            let behavior = behavior(entry, deck, laws, diagnostics);
+            let behavior = behavior(entry, given, diagnostics);
             let Some(parent) = parent(entry, deck) else {
                 let title = format!("`*SURFACE BEHAVIOR` stands under no {PARENTS_IN_WORDS}");
                 diagnostics
@@ -118,19 +133,21 @@ fn parent<'a>(entry: &Entry<'_>, deck: &'a Deck) -> Option<&'a Card> {
 }
 
 /// What the card says; `None` when it is refused, which was told.
-fn behavior(entry: &Entry<'_>, deck: &Deck, laws: &Laws, diagnostics: &mut Diagnostics) -> Option<NormalBehavior> {
+fn behavior(entry: &Entry<'_>, given: Given<'_>, diagnostics: &mut Diagnostics) -> Option<NormalBehavior> {
+    let Given { deck, laws, size } = given;
     let before = diagnostics.faults();
     let overclosure = entry.name("PRESSURE-OVERCLOSURE").filter(|word| word != "HARD");
     let law = overclosure.as_deref().and_then(|word| laws.0.iter().find(|law| keyword::same(law.keyword, word)));
     exclusions(entry, overclosure.as_deref(), diagnostics);
     let behavior = match (&overclosure, law) {
+        (Some(word), None) if keyword::same(word, "FORMULA") => formula::read(entry, deck, size, diagnostics),
         (Some(word), None) => {
             if keyword::same(word, "SCALE FACTOR") {
                 scale_factor(entry, deck, diagnostics);
             }
             return None;
         }
-        (Some(_), Some(law)) => softened(entry, deck, law, diagnostics),
+        (Some(_), Some(law)) => softened(entry, given, law, diagnostics),
         (None, _) => hard(entry, deck, diagnostics),
     };
     behavior.filter(|_| diagnostics.faults() == before)
@@ -159,7 +176,7 @@ fn exclusions(entry: &Entry<'_>, softened: Option<&str>, diagnostics: &mut Diagn
 
 fn softened(
     entry: &Entry<'_>,
-    deck: &Deck,
+    Given { deck, size, .. }: Given<'_>,
     law: &LawDefinition,
     diagnostics: &mut Diagnostics,
 ) -> Option<NormalBehavior> {
@@ -190,10 +207,34 @@ fn softened(
     }
     let built = (law.build)(&data).map_err(|fault| Diagnostic::error(entry.card.span, of_the(law, &fault)));
     let built = built.map_err(|fault| diagnostics.push(fault)).ok()?;
-    for remark in built.remarks() {
-        diagnostics.push(Diagnostic::warning(entry.card.span, of_the(law, &remark)));
+    verified(entry, law.keyword, (built, size), diagnostics)
+}
+
+/// A law that keeps its word; what a user should know of it is told.
+pub(super) fn verified(
+    entry: &Entry<'_>,
+    keyword: &str,
+    (law, size): (Arc<dyn NormalLaw>, f64),
+    diagnostics: &mut Diagnostics,
+) -> Option<NormalBehavior> {
+    let mut remarks = law.remarks();
+    match verify::at_all_scales(&*law, size) {
+        Ok(()) => {}
+        // Laws that know where their pressure falls have said so.
+        Err(LawFault::Softens { gap, .. }) if remarks.is_empty() => {
+            remarks.push(format!("the pressure falls at a gap of {gap:e}: there may be several equilibria, or none"));
+        }
+        Err(LawFault::Softens { .. }) => {}
+        Err(fault) => {
+            let fault = Diagnostic::error(entry.card.span, format!("law `{keyword}` breaks its word: {fault}"));
+            diagnostics.push(fault.help("energy, pressure and stiffness must be each the slope of the one before"));
+            return None;
+        }
     }
-    Some(NormalBehavior::Softened(built))
+    for remark in remarks {
+        diagnostics.push(Diagnostic::warning(entry.card.span, format!("law `{keyword}`: {remark}")));
+    }
+    Some(NormalBehavior::Softened(law))
 }
 
 fn of_the(law: &LawDefinition, words: &str) -> String {

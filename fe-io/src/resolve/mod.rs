@@ -12,6 +12,7 @@ mod cracks;
 mod discrete;
 mod elements;
 mod faces;
+mod formula;
 mod interactions;
 mod interferences;
 mod labels;
@@ -42,7 +43,9 @@ use crate::keyword::check::{Entry, check};
 use crate::model::{Model, Step};
 use amplitudes::Amplitudes;
 use fe_contact::law::Laws;
-use interactions::Interactions;
+use fe_contact::search::Bounds;
+use fe_core::structure::Structure;
+use interactions::{Given, Interactions};
 use scene::Scene;
 use std::sync::Arc;
 use steps::{InForce, Named};
@@ -71,7 +74,8 @@ pub fn resolve(deck: &Deck, library: &Library) -> Result<Model, Diagnostics> {
     let amplitudes = Amplitudes::read(&named(&entries, &["AMPLITUDE"]), deck, &mut diagnostics);
     // How surfaces act on each other belongs to the model wherever it is written: once, whatever a part's instances.
     let contact = named(&written, &["SURFACE INTERACTION", "GAP", "SURFACE BEHAVIOR"]);
-    let interactions = Interactions::read(&contact, deck, &library.laws, &mut diagnostics);
+    let given = Given { deck, laws: &library.laws, size: size(&scene.structure) };
+    let interactions = Interactions::read(&contact, given, &mut diagnostics);
     if scene.unread {
         return Err(diagnostics);
     }
@@ -116,6 +120,13 @@ pub fn resolve(deck: &Deck, library: &Library) -> Result<Model, Diagnostics> {
         steps,
         notes: notes(&diagnostics),
     })
+}
+
+/// Diagonal [L] of the box around all nodes; 1 where they are in one place.
+fn size(structure: &Structure) -> f64 {
+    let boxes = structure.mesh.points.iter().map(|&point| Bounds::around(&[point.into()], 0.0));
+    let diagonal = boxes.reduce(|a, b| a.union(&b)).map_or(0.0, |all| all.diagonal());
+    if diagonal > 0.0 && diagonal.is_finite() { diagonal } else { 1.0 }
 }
 
 /// Cards of some names, those of steps included.
