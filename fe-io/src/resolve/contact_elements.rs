@@ -24,7 +24,8 @@ pub fn gaps(
     let row = one_line(entry, scene, diagnostics)?;
     let distance = row.number(0).unwrap_or(0.0);
     let direction = [1, 2, 3].map(|i| row.number(i).unwrap_or(0.0));
-    let direction = direction.iter().any(|c| *c != 0.0).then_some(direction);
+    // An instance turns the directions of its part.
+    let direction = direction.iter().any(|c| *c != 0.0).then(|| scene.scope().motion.direction(direction));
     if element != ElementType::GAPUNI && distance == 0.0 {
         let fault = Diagnostic::error(row.span, format!("the distance of {} elements is missing or 0", element.name()));
         diagnostics.push(fault.help("positive: the largest distance of the nodes; negative: the least one"));
