@@ -2,7 +2,7 @@
 
 use crate::carry::{Carried, Ground, NoStiffness};
 use crate::closest::EXTENSION;
-use crate::conditions::Activity;
+use crate::conditions::{Activity, Overrides};
 use crate::contact::Contact;
 use crate::enforce::TOUCH;
 use crate::error::PairError;
@@ -84,7 +84,7 @@ impl Contact {
         interaction: &Interaction,
         ground: Ground,
     ) -> Result<Self, NoStiffness> {
-        let Carried { law, penalty, multipliers } = Carried::new(&interaction.normal, ground)?;
+        let Carried { law, penalty, multipliers } = Carried::new(&interaction.normal, ground, Overrides::default())?;
         let Found { name, surfaces, points, cells, reference, origin, searched } = found;
         let place = |&n: &u32| freedoms.of_node(n as usize);
         let both = sides.secondary_nodes.iter().chain(&sides.main_nodes);
@@ -114,6 +114,9 @@ impl Contact {
             sides,
             activity: Activity::Acting,
             allowance: None,
+            origin: (interaction.normal.clone(), ground, Overrides::default()),
+            resistance: None,
+            spent: 0.0,
         })
     }
 }

@@ -1,5 +1,6 @@
 //! What carries a contact: an interaction's words, and the stiffness beneath, made into a law and its multipliers.
 
+use crate::conditions::{Overrides, Tolerance};
 use crate::enforce::Multipliers;
 use crate::interaction::{Enforcement, NormalBehavior, Penalty};
 use crate::law::NormalLaw;
@@ -45,10 +46,10 @@ pub(crate) struct Carried {
 impl Carried {
     /// Laws and penalties that are nowhere steeper than a thousand times the elements beneath stand as they are (Abaqus
     /// Analysis User's Manual, Contact constraint enforcement methods).
-    pub fn new(normal: &NormalBehavior, ground: Ground) -> Result<Self, NoStiffness> {
+    pub fn new(normal: &NormalBehavior, ground: Ground, overrides: Overrides) -> Result<Self, NoStiffness> {
         match normal {
             NormalBehavior::Softened(law) => Ok(Self::softened(law.clone(), ground)),
-            NormalBehavior::Hard(enforcement) => Self::hard(*enforcement, ground),
+            NormalBehavior::Hard(enforcement) => Self::hard(*enforcement, ground, overrides),
         }
     }
 
@@ -65,15 +66,19 @@ impl Carried {
         Carried { law: Arc::new(InSeries { law, spring }), ..Self::with(penalty, ground) }
     }
 
-    fn hard(enforcement: Enforcement, ground: Ground) -> Result<Self, NoStiffness> {
+    fn hard(enforcement: Enforcement, ground: Ground, overrides: Overrides) -> Result<Self, NoStiffness> {
+        let scaled = overrides.stiffness_scale;
         let (means, Penalty { stiffness, clearance, scale }, factor) = match enforcement {
             Enforcement::Usual if ground.slides_far => (Means::Penalty, Penalty::default(), PENALTY_FACTOR),
             Enforcement::Usual | Enforcement::Direct => (Means::Multipliers, Penalty::default(), AUGMENTED_FACTOR),
             Enforcement::Penalty(penalty) => (Means::Penalty, penalty, PENALTY_FACTOR),
-            Enforcement::AugmentedLagrange(penalty) => {
-                (Means::AugmentedLagrange(allowed(ground.length, penalty.scale)), penalty, AUGMENTED_FACTOR)
-            }
+            Enforcement::AugmentedLagrange(penalty) => (
+                Means::AugmentedLagrange(allowed(ground, overrides.tolerance, scaled * penalty.scale)),
+                penalty,
+                AUGMENTED_FACTOR,
+            ),
         };
+        let scale = scaled * scale;
         let base = stiffness.or(ground.beneath.map(|k| factor * k)).ok_or(NoStiffness)?;
         let by_default = stiffness.is_none();
         let penalty = PenaltySummary { means, stiffness: scale * base, by_default, scale, clearance };
@@ -101,8 +106,13 @@ impl Carried {
     }
 }
 
-/// Overclosure [L] that augmentation leaves: a thousandth of the facets' length, larger where the penalty is softened by a
-/// factor below 1 (Abaqus Analysis User's Manual, Contact constraint enforcement methods).
-fn allowed(length: f64, scale: f64) -> f64 {
-    1e-3 * length / scale.min(1.0)
+/// Overclosure [L] that augmentation leaves: as asked for, or a thousandth of the facets' length, a twentieth where surfaces
+/// may slide far, larger where the penalty is softened by a factor below 1 (Abaqus Analysis User's Manual, Contact constraint
+/// enforcement methods).
+fn allowed(ground: Ground, tolerance: Option<Tolerance>, scale: f64) -> f64 {
+    match tolerance {
+        Some(Tolerance::Absolute(depth)) => depth,
+        Some(Tolerance::Relative(part)) => part * ground.length,
+        None => (if ground.slides_far { 0.05 } else { 1e-3 }) * ground.length / scale.min(1.0),
+    }
 }

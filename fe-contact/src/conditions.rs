@@ -1,7 +1,9 @@
 //! What a step says of one contact, besides its law.
 
+use crate::carry::Carried;
 use crate::contact::Contact;
 use crate::interference::{Allowance, Interference};
+use crate::viscous::{Resistance, Stabilization};
 
 /// What a step says of one contact; by default nothing.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -10,6 +12,34 @@ pub struct Conditions {
     pub activity: Activity,
     /// Overclosure that is let be.
     pub interference: Option<Interference>,
+    /// How hard contact is enforced otherwise.
+    pub overrides: Overrides,
+    /// What resists its motion.
+    pub stabilization: Option<Stabilization>,
+}
+
+/// What `*CONTACT CONTROLS` change of the enforcement of hard contact.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Overrides {
+    /// Factor on the penalty stiffness [-].
+    pub stiffness_scale: f64,
+    /// Overclosure that augmentation leaves; `None`: the usual one.
+    pub tolerance: Option<Tolerance>,
+}
+
+impl Default for Overrides {
+    fn default() -> Self {
+        Overrides { stiffness_scale: 1.0, tolerance: None }
+    }
+}
+
+/// Overclosure that augmentation leaves.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Tolerance {
+    /// So much [L].
+    Absolute(f64),
+    /// So much of the facets' length [-].
+    Relative(f64),
 }
 
 /// `*MODEL CHANGE` of a contact.
@@ -26,8 +56,10 @@ impl Contact {
     /// Enters a step of which the conditions hold; `time` is the total one [T] at its start, and its period [T]. `history` is
     /// the contact's, and becomes what the step starts with.
     pub fn enter(&mut self, conditions: &Conditions, time: (f64, f64), history: &mut Vec<f64>) {
+        self.spent = self.stabilized(history);
         self.activity = conditions.activity;
         history.truncate(self.numbers());
+        self.carry(conditions.overrides, history);
         if !self.acts() {
             // What comes back later has never been closed.
             history.fill(0.0);
@@ -35,6 +67,36 @@ impl Contact {
         let interference = conditions.interference.as_ref();
         self.allowance = interference.map(|interference| Allowance::new(self, interference, time));
         history.extend(self.allowance.as_ref().map(|allowance| allowance.first));
+        let stabilization = conditions.stabilization.as_ref().filter(|_| self.acts());
+        self.resistance = stabilization.map(|s| Resistance::new(self, s, time.1, history.len()));
+        history.extend(self.resistance.as_ref().map(|_| 0.0));
+    }
+
+    /// Enforces hard contact otherwise from now on. Multipliers keep their pressures.
+    fn carry(&mut self, overrides: Overrides, history: &mut Vec<f64>) {
+        let (normal, ground, before) = &self.origin;
+        if *before == overrides {
+            return;
+        }
+        // The same stiffness beneath was enough before.
+        let Ok(Carried { law, penalty, multipliers }) = Carried::new(normal, *ground, overrides) else { return };
+        if let (Some(old), Some(new)) = (self.multipliers, multipliers) {
+            history[self.points.len()..].iter_mut().for_each(|shift| *shift *= old.slope / new.slope);
+        }
+        (self.law, self.multipliers, self.summary.penalty) = (law, multipliers, penalty);
+        self.origin.2 = overrides;
+        history.resize(self.numbers(), 0.0);
+    }
+
+    /// True where the step resists motions along its surface, too.
+    pub fn holds_along(&self) -> bool {
+        self.resistance.as_ref().is_some_and(|r| r.coefficients[1] > 0.0)
+    }
+
+    /// Damping coefficients [F T/L³] of the step across and along the surface, and the clearance [L] up to which they act;
+    /// `None` where nothing is stabilised.
+    pub fn stabilization(&self) -> Option<([f64; 2], f64)> {
+        self.resistance.as_ref().map(|r| (r.coefficients, r.fall[1]))
     }
 
     /// False where the step has removed it.

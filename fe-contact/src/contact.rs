@@ -1,14 +1,17 @@
 //! Contact as a term: points that share a law, however they were found.
 
-use crate::conditions::Activity;
+use crate::carry::Ground;
+use crate::conditions::{Activity, Overrides};
 use crate::enforce::Multipliers;
 use crate::facet::Vec3;
+use crate::interaction::NormalBehavior;
 use crate::interference::Allowance;
 use crate::law::NormalLaw;
 use crate::point::ContactPoint;
 use crate::sides::Prepared;
 use crate::summary::Summary;
 use crate::term::Blocks;
+use crate::viscous::Resistance;
 use fe_mesh::CellId;
 use std::collections::BTreeMap;
 use std::ops::Range;
@@ -48,6 +51,12 @@ pub struct Contact {
     pub(crate) activity: Activity,
     /// Overclosure that the present step lets be.
     pub(crate) allowance: Option<Allowance>,
+    /// What the law was made of, and what the present step overrides of it.
+    pub(crate) origin: (NormalBehavior, Ground, Overrides),
+    /// What stabilises it in the present step.
+    pub(crate) resistance: Option<Resistance>,
+    /// Energy [F L] that stabilisation took in the steps before.
+    pub(crate) spent: f64,
 }
 
 impl Contact {

@@ -38,6 +38,7 @@ mod term;
 #[cfg(test)]
 mod tests;
 pub mod verify;
+pub mod viscous;
 
 pub use contact::Contact;
 pub use error::PairError;

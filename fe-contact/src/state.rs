@@ -45,6 +45,8 @@ pub struct ContactState {
     pub largest_overclosure: Option<(u32, f64)>,
     /// Node and amount of the largest tensile pressure that is not allowed; `None` when nothing pulls.
     pub largest_tension: Option<(u32, f64)>,
+    /// Energy [F L] that stabilisation has taken so far: ALLSD.
+    pub stabilized: f64,
     /// Area [L²] of closed points that have one: CAREA.
     pub closed_area: f64,
 }
@@ -84,7 +86,7 @@ type Forces = BTreeMap<u32, Vec3>;
 impl Contact {
     /// The state at a displacement, with the history that belongs to it.
     pub fn state(&self, u: &[f64], history: &[f64]) -> ContactState {
-        let mut state = ContactState::default();
+        let mut state = ContactState { stabilized: self.stabilized(history), ..ContactState::default() };
         // A node may be on the secondary side of one element and on the main side of another.
         let (mut secondary, mut main) = (Forces::new(), Forces::new());
         let mut turning = Vec3::zeros();

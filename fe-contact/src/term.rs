@@ -77,7 +77,13 @@ impl Contact {
     }
 
     /// Adds factor · d dᵀ of a row d over a point's nodes, the lower blocks; nodes are ascending.
-    fn add_stiffness(&self, point: usize, (factor, row): (f64, &[f64]), blocks: &Blocks, out: &mut BlockMatrix) {
+    pub(crate) fn add_stiffness(
+        &self,
+        point: usize,
+        (factor, row): (f64, &[f64]),
+        blocks: &Blocks,
+        out: &mut BlockMatrix,
+    ) {
         let mut starts = blocks.starts[point].iter();
         let mut first = 0;
         for (a, place) in self.places[point].iter().enumerate() {
@@ -107,7 +113,7 @@ impl Term for Contact {
     }
 
     fn history(&self) -> usize {
-        self.numbers() + usize::from(self.allowance.is_some())
+        self.numbers() + usize::from(self.allowance.is_some()) + usize::from(self.resistance.is_some())
     }
 
     fn augment(&self, at: Equilibrium, old: &[f64], new: &mut [f64]) -> Option<Overlap> {
@@ -151,6 +157,7 @@ impl Term for Contact {
                 }
             }
         }
+        self.resist(&at, (old, new), blocks.as_deref(), out);
         Ok(())
     }
 

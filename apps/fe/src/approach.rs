@@ -97,8 +97,14 @@ impl<'a> Motions<'a> {
 pub fn approach(terms: &Terms, free: &[FreeBody], u: &[f64], external: &[f64]) -> Approach {
     let motions = Motions::new(terms, free);
     let contact = RigidContact::new(&terms.contacts, u, motions.fields());
-    if let Some(amounts) = contact.unheld().first() {
-        let (b, motion, _) = motions.most(amounts);
+    let unheld = contact.unheld().into_iter().map(|amounts| motions.most(&amounts));
+    // Where contact is stabilised, what drives a body that way decides.
+    let stabilized = |b: usize| {
+        let has = |n: &u32| motions.body(b).nodes.binary_search(n).is_ok();
+        let holds = terms.contacts.iter().filter(|contact| contact.acts() && contact.holds_along());
+        holds.flat_map(|contact| &contact.points).any(|p| p.nodes.iter().any(has))
+    };
+    if let Some((b, motion, _)) = unheld.into_iter().find(|(b, ..)| !stabilized(*b)) {
         return Approach::Unheld(b, motion);
     }
     let fields = motions.each.iter().zip(motions.fields());

@@ -11,6 +11,9 @@ use std::fmt;
 /// of up to 10⁶ residuals of 1e-8 each, of random sign, is 1e-5 of one force and much less of their sum.
 const BALANCE: f64 = 1e-6;
 
+/// Stabilisation that takes more of the stored energy than this is warned of [%].
+const LARGE_SHARE: f64 = 1.0;
+
 /// What is checked of one increment.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Certificate {
@@ -31,12 +34,14 @@ pub struct Certificate {
     pub imbalance: f64,
     /// Energies [F L].
     pub energy: Energy,
+    /// Energy [F L] that the stabilisation of contact has taken so far.
+    pub stabilized: f64,
     /// Resultant of each pair on its secondary side [F]; not among [`COLUMNS`], every pair has a history of its own.
     pub resultants: Vec<[f64; 3]>,
 }
 
 /// Names and dimensions of the numbers that [`Certificate::row`] gives.
-pub const COLUMNS: [(&str, &str); 14] = [
+pub const COLUMNS: [(&str, &str); 15] = [
     ("residual", "1"),
     ("overclosure", "L"),
     ("tension", "F/L²"),
@@ -51,6 +56,7 @@ pub const COLUMNS: [(&str, &str); 14] = [
     ("energy_solids", "F L"),
     ("energy_contact", "F L"),
     ("work", "F L"),
+    ("energy_stabilization", "F L"),
 ];
 
 impl Certificate {
@@ -97,6 +103,7 @@ impl Certificate {
             reaction,
             imbalance: ratio(sums.fold(0.0, f64::max), largest),
             energy: at.energy,
+            stabilized: pairs.iter().map(|p| p.stabilized).sum(),
             resultants: pairs.iter().map(|p| p.secondary.force).collect(),
         }
     }
@@ -106,7 +113,7 @@ impl Certificate {
         let mut row = vec![self.residual, self.overclosure, self.tension, self.contact_share];
         row.extend(self.applied);
         row.extend(self.reaction);
-        row.extend([self.imbalance, self.energy.solids, self.energy.contact, self.energy.work]);
+        row.extend([self.imbalance, self.energy.solids, self.energy.contact, self.energy.work, self.stabilized]);
         row
     }
 
@@ -196,6 +203,12 @@ impl fmt::Display for RunCertificate {
         writeln!(out, "  balance             {} of the forces", e(w.imbalance, 2))?;
         let (solids, contact, work) = (e(w.energy.solids, 6), e(w.energy.contact, 6), e(w.energy.work, 6));
         writeln!(out, "  energy              solids {solids}, contact {contact}, work of loads {work}")?;
+        if w.stabilized > 0.0 {
+            let share = 100.0 * w.stabilized / (w.energy.solids + w.energy.contact).max(f64::MIN_POSITIVE);
+            let warned = if share > LARGE_SHARE { "warning: " } else { "" };
+            let taken = e(w.stabilized, 6);
+            writeln!(out, "  stabilisation       {warned}{taken} taken by it, {share:.3} % of the stored energy")?;
+        }
         let (cut, its, factors) = (self.cutbacks, self.iterations, self.factorisations);
         writeln!(out, "  effort              {its} iterations, {factors} factorisations, {cut} cutbacks")?;
         let s = self.seconds;

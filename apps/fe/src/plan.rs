@@ -103,6 +103,15 @@ impl Plan {
             needs.push((subject.into(), contact_in_words(pair)));
         }
         needs.extend(over_constraint(terms, u, fixed).map(|words| ("over-constraint".into(), words)));
+        let stabilized = terms.contacts.iter().filter_map(|contact| Some((contact, contact.stabilization()?)));
+        needs.extend(stabilized.map(|(contact, ([across, along], range))| {
+            let unit = "F T/L³";
+            let words = format!(
+                "{}: damping {across:.6e} {unit} across and {along:.6e} {unit} along the surface, up to a clearance of {range:.3e} L",
+                contact.name()
+            );
+            ("stabilised".into(), words)
+        }));
         let searched: Vec<usize> = terms.contacts.iter().filter_map(|pair| pair.summary().searched).collect();
         if !searched.is_empty() {
             needs.push((

@@ -1,11 +1,11 @@
-//! What steps say of contact, through the program: pairs removed and added. The slider against a rigid stop, hard by
-//! multipliers: k x + N = F while it touches.
+//! What steps say of contact, through the program: pairs removed and added, hard contact enforced otherwise. The slider
+//! against a rigid stop: k x + N = F while it touches.
 #![allow(clippy::unwrap_used)]
 
 mod common;
 
 use common::Scratch;
-use common::slider::{Body, DISTANCE, K, pair};
+use common::slider::{Body, DISTANCE, K, pair, penalty};
 use fe_io::results::read::tables;
 
 /// Prints ten digits.
@@ -59,5 +59,55 @@ fn a_pair_is_removed_and_added() {
         let x: Vec<f64> = forces.iter().map(|n| -(500.0 - n) / K).collect();
         close("force on the stop", &all(&text, "forces", "REF", body.axis()), &forces, held);
         close("displacement", &all(&text, "displacements", "NEAR", body.axis()), &x, 1.0);
+    }
+}
+
+/// Steps with these cards, one each, of the slider pulled by 500.
+fn forces(name: &str, behavior: &str, cards: &[&str]) -> Vec<f64> {
+    let body = Body::Brick;
+    let mut deck = format!(
+        "{}{}{behavior}{}*BOUNDARY\nHELD, 1, 3\nREF, 1, 6\n",
+        body.deck(),
+        body.stop(false),
+        pair("SURFACE TO SURFACE")
+    );
+    for card in cards {
+        deck += &format!("*STEP\n*STATIC\n*DSLOAD\nSEC, P, -500.\n{card}*NODE PRINT, NSET=REF\nRF\n*END STEP\n");
+    }
+    all(&run(name, &deck), "forces", "REF", body.axis())
+}
+
+/// A01 with the penalty f k: N = 400 f/(1 + f). A control of a pair counts more than one of all; both hold on until RESET.
+#[test]
+fn contact_controls_scale_the_penalty() {
+    let own = "*CONTACT CONTROLS, SLAVE=SEC, MASTER=FLOOR, STIFFNESS SCALE FACTOR=9.\n";
+    let cards = [
+        "",
+        "*CONTACT CONTROLS, STIFFNESS SCALE FACTOR=3.\n",
+        "",
+        own,
+        "*CONTACT CONTROLS, STIFFNESS SCALE FACTOR=3.\n",
+        "*CONTACT CONTROLS, SECONDARY=SEC, MAIN=FLOOR, RESET\n",
+    ];
+    let found = forces("controls_scale", &penalty(K), &cards);
+    let expected = [1.0, 3.0, 3.0, 9.0, 9.0, 1.0].map(|f| 400.0 * f / (1.0 + f));
+    close("scaled penalty", &found, &expected, 400.0);
+}
+
+/// A01 with AUGMENTED LAGRANGE, β = 10: the overclosure is 0.0364 after the first pass, 0.0033 after the second and 0.0003
+/// after the third; the facets' length is 1.
+#[test]
+fn contact_controls_set_the_tolerance_of_augmentation() {
+    let behavior = format!("*SURFACE INTERACTION, NAME=I\n*SURFACE BEHAVIOR, AUGMENTED LAGRANGE\n{}\n", 10.0 * K);
+    let passes = |n: i32| 400.0 * (1.0 - 11f64.powi(-n));
+    for (tolerance, n) in [
+        // 5 % where surfaces may slide far.
+        ("", 1),
+        ("*CONTACT CONTROLS, ABSOLUTE PENETRATION TOLERANCE=0.04\n", 1),
+        ("*CONTACT CONTROLS, ABSOLUTE PENETRATION TOLERANCE=0.01\n", 2),
+        ("*CONTACT CONTROLS, RELATIVE PENETRATION TOLERANCE=0.001\n", 3),
+    ] {
+        let found = forces("controls_tolerance", &behavior, &[tolerance]);
+        close(tolerance, &found, &[passes(n)], 400.0);
     }
 }

@@ -7,6 +7,7 @@ mod amplitude;
 mod beam_section;
 mod boundary;
 mod clearance;
+mod contact_controls;
 mod contact_interference;
 mod contact_pair;
 pub(crate) mod controls;
@@ -75,6 +76,7 @@ pub const CARDS: &[&Keyword] = &[
     &controls::CONTROLS,
     &model_change::MODEL_CHANGE,
     &contact_interference::CONTACT_INTERFERENCE,
+    &contact_controls::CONTACT_CONTROLS,
     &loads::CLOAD,
     &loads::DLOAD,
     &loads::DSLOAD,

@@ -129,7 +129,6 @@ pub(super) const CARDS: &[(&[&str], &str)] = &[
         ],
         PAIR,
     ),
-    (&["CONTACT CONTROLS"], "penalty stiffness and scale stand on the data line of `*SURFACE BEHAVIOR, PENALTY`"),
     (
         &[
             "CONTACT DAMPING",

@@ -11,6 +11,7 @@ use fe_contact::conditions::{Activity, Conditions};
 use fe_contact::pair::PairDefinition;
 use fe_core::amplitude::TimeBase;
 use fe_core::ramp::Ramp;
+use std::collections::BTreeSet;
 
 fn in_total_time(course: &Ramp) -> bool {
     course.amplitude.as_ref().is_some_and(|amplitude| amplitude.base == TimeBase::Total)
@@ -20,6 +21,8 @@ fn in_total_time(course: &Ramp) -> bool {
 #[derive(Clone, Debug, Default)]
 pub struct InForce {
     conditions: Vec<Conditions>,
+    /// Pairs with contact controls of their own.
+    pub(super) own: BTreeSet<usize>,
     /// Steps begun so far.
     pub(super) steps: usize,
     /// Period of the last step, and total time at its end [T].
@@ -27,12 +30,13 @@ pub struct InForce {
 }
 
 impl InForce {
-    /// Begins a step: interferences stay where the last one left them, or are taken out over this one where its cards
+    /// Begins a step: stabilisation ends, interferences stay where the last step left them, or are taken out over this one where its cards
     /// replace them.
     pub fn begin_step(&mut self, replaces: bool) {
         self.steps += 1;
         let (period, total) = self.end;
         for conditions in &mut self.conditions {
+            conditions.stabilization = None;
             let course = conditions.interference.as_mut().map(|interference| &mut interference.course);
             if let Some(course) = course.filter(|course| replaces || !in_total_time(course)) {
                 let held = course.at(period, total, period);

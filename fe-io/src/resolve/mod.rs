@@ -6,6 +6,7 @@ mod beams;
 mod clearances;
 mod combine;
 mod conditions;
+mod contact_controls;
 mod contact_elements;
 mod controls;
 mod cracks;

@@ -66,6 +66,7 @@ pub fn read(
             "CONTROLS" => controls::read(entry, scene.deck, &mut in_force.controls, diagnostics),
             "MODEL CHANGE" => in_force.conditions.change(entry, scene, named.pairs, diagnostics),
             "CONTACT INTERFERENCE" => in_force.conditions.interfere(entry, scene, named, diagnostics),
+            "CONTACT CONTROLS" => in_force.conditions.control(entry, scene, named, diagnostics),
             "BOUNDARY" => supports.read(entry, scene, named.amplitudes, diagnostics),
             "CLOAD" => loads[0].extend(loads::read(entry, scene, named.amplitudes, diagnostics)),
             "DLOAD" | "DSLOAD" => loads[1].extend(loads::read(entry, scene, named.amplitudes, diagnostics)),

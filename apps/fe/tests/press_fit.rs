@@ -1,0 +1,123 @@
+//! A25: two rings pressed into each other, steel 20/40 in aluminium 40/60, radial interference 0.02, held along the axis
+//! (plane strain); against Lamé's closed form.
+#![allow(clippy::unwrap_used)]
+
+mod common;
+
+use common::Scratch;
+use fe_io::results::read::tables;
+
+/// Inner radius, outer radius [L], E [F/L²], ν [-].
+const INNER: [f64; 4] = [20.0, 40.0, 210e3, 0.3];
+const OUTER: [f64; 4] = [40.0, 60.0, 70e3, 0.33];
+const INTERFERENCE: f64 = 0.02;
+
+/// Radial displacement of a ring's face per unit of pressure on it, plane strain (E/(1 − ν²), ν/(1 − ν)): of its outer face
+/// inward, of its inner face outward. Timoshenko and Goodier 1970, article 28.
+fn compliance([inner, outer, young, nu]: [f64; 4], face: f64) -> f64 {
+    let (young, nu) = (young / (1.0 - nu * nu), nu / (1.0 - nu));
+    let share = (outer * outer + inner * inner) / (outer * outer - inner * inner);
+    face / young * (share + if face == inner { nu } else { -nu })
+}
+
+/// The pressure on the inner ring's face of rings that overlap or touch; `give`: what the contact gives way per pressure.
+/// The force on both faces is the same.
+fn pressure(inner: [f64; 4], outer: [f64; 4], give: f64) -> f64 {
+    let (own, other) = (inner[1], outer[0]);
+    INTERFERENCE / (compliance(inner, own) + own / other * compliance(outer, other) + give)
+}
+
+/// Nodes and elements of a ring with n elements through it, from label `first`.
+fn ring([inner, outer, young, nu]: [f64; 4], n: usize, first: usize, name: &str) -> String {
+    let mut text = format!("*NODE, NSET=N{name}\n");
+    for row in 0..2 {
+        for i in 0..=n {
+            let r = inner + (outer - inner) * i as f64 / n as f64;
+            text += &format!("{}, {r:?}, {row}.\n", first + row * (n + 1) + i);
+        }
+    }
+    text += &format!("*ELEMENT, TYPE=CAX4, ELSET=E{name}\n");
+    for i in 0..n {
+        let [a, b] = [first + i, first + n + 1 + i];
+        text += &format!("{}, {a}, {}, {}, {b}\n", first + i, a + 1, b + 1);
+    }
+    text + &format!(
+        "*MATERIAL, NAME=M{name}\n*ELASTIC\n{young}, {nu}\n*SOLID SECTION, ELSET=E{name}, MATERIAL=M{name}\n"
+    )
+}
+
+/// Both rings, their pair and one step of so many increments.
+fn deck(rings: [[f64; 4]; 2], n: usize, behavior: &str, cards: [&str; 2], increments: usize) -> String {
+    let [inner, outer] = rings;
+    let step = 1.0 / increments as f64;
+    format!(
+        "{}{}*SURFACE, NAME=SEC\n{n}, S2\n*SURFACE, NAME=MAIN\n1001, S4\n*AMPLITUDE, NAME=RISES\n0., 0., 1., 1.\n\
+         *SURFACE INTERACTION, NAME=I\n{behavior}\
+         *CONTACT PAIR, INTERACTION=I, TYPE=SURFACE TO SURFACE, SMALL SLIDING\nSEC, MAIN\n{}\
+         *BOUNDARY\nNI, 2\nNO, 2\n*STEP, INC=200\n*STATIC, DIRECT\n{step:?}, 1.\n{}*CONTACT PRINT, FREQUENCY=1000\nCSTRESS\n*END STEP\n",
+        ring(inner, n, 1, "I"),
+        ring(outer, n, 1001, "O"),
+        cards[0],
+        cards[1]
+    )
+}
+
+/// Pressures at the end.
+fn run(name: &str, deck: &str) -> Vec<f64> {
+    let scratch = Scratch::new(name);
+    scratch.write("fit.inp", deck);
+    let run = scratch.fe(&["run", "fit.inp", "--quiet"]);
+    assert_eq!(run.status, 0, "{name}: {}\n{deck}", run.error);
+    let blocks = tables(&scratch.read("fit.dat")).unwrap();
+    blocks.last().unwrap().rows.iter().map(|row| row.values[0]).collect()
+}
+
+const SHRINK: &str = "*CONTACT INTERFERENCE, SHRINK\nSEC, MAIN\n";
+/// From touching surfaces: a gap of 0.02 is asked for in the end.
+const RISES: &str = "*CONTACT INTERFERENCE, AMPLITUDE=RISES\nSEC, MAIN, -0.02\n";
+const GAP: &str = "*CLEARANCE, SECONDARY=SEC, MAIN=MAIN, VALUE=-0.02\n";
+
+/// Interference as overlapping meshes, at once and shrunk; from touching meshes by CONTACT INTERFERENCE and CLEARANCE:
+/// within 0.06/n² of the closed form (the bound of second-order elements for this thickness of rings).
+#[test]
+fn a25_press_fit() {
+    let (mut shrunk_inner, mut shrunk_outer) = (INNER, OUTER);
+    (shrunk_inner[1], shrunk_outer[0]) = (40.01, 39.99);
+    let (touching, overlapping) = ([INNER, OUTER], [shrunk_inner, shrunk_outer]);
+    assert!((pressure(INNER, OUTER, 0.0) - 11.1774107014).abs() < 1e-9);
+    for n in [2, 4, 8] {
+        for (rings, cards, increments) in [
+            (overlapping, ["", ""], 1),
+            (overlapping, ["", SHRINK], 4),
+            (touching, ["", RISES], 4),
+            (touching, [GAP, SHRINK], 2),
+        ] {
+            let exact = pressure(rings[0], rings[1], 0.0);
+            let found = run("press_fit", &deck(rings, n, "", cards, increments));
+            assert_eq!(found.len(), 2);
+            let worst = found.iter().fold(0.0f64, |m, p| m.max((p / exact - 1.0).abs()));
+            eprintln!("A25 n = {n}: {worst:.3e}, times n² {:.4}", worst * (n * n) as f64);
+            assert!(worst <= 0.06 / (n * n) as f64, "{n} {cards:?}: {found:?}, not {exact}");
+        }
+    }
+}
+
+/// By a penalty k the interference is δ − p/k.
+#[test]
+fn a25_press_fit_by_penalty() {
+    for k in [1e3, 1e4, 1e6] {
+        let behavior = format!("*SURFACE BEHAVIOR, PENALTY\n{k}\n");
+        let found = run("press_fit_penalty", &deck([INNER, OUTER], 8, &behavior, [GAP, ""], 1));
+        let exact = pressure(INNER, OUTER, 1.0 / k);
+        assert!(found.iter().all(|p| (p / exact - 1.0).abs() <= 0.06 / 64.0), "{k}: {found:?}, not {exact}");
+    }
+}
+
+/// D34: the end does not depend on the number of increments.
+#[test]
+fn d34_press_fit_in_any_number_of_increments() {
+    let ends = [1, 3, 100].map(|n| run("press_fit_increments", &deck([INNER, OUTER], 4, "", [GAP, SHRINK], n)));
+    for end in &ends[1..] {
+        assert!(end.iter().zip(&ends[0]).all(|(a, b)| (a / b - 1.0).abs() < 1e-9), "{ends:?}");
+    }
+}

@@ -1,0 +1,57 @@
+use super::{Choice, Data, DataLine, Field, Keyword, Kind, Level, Parameter};
+
+const LAW: &str = "say `DIRECT`, `AUGMENTED LAGRANGE` or `PENALTY` on `*SURFACE BEHAVIOR`";
+const SETTLES: &str = "statuses settle by themselves, see CONVERT SDI of *STEP";
+const STATIC: &str = "there are no perturbation steps";
+const EXPLICIT: &str = "it is for explicit dynamics";
+
+pub const CONTACT_CONTROLS: Keyword = Keyword {
+    name: "CONTACT CONTROLS",
+    level: Level::Step,
+    summary: "how contact is enforced and stabilised, for one pair or for all; holds for later steps too, but for STABILIZE",
+    parameters: &[
+        Parameter::name("SECONDARY", "secondary surface of the pair that is meant, with MAIN; all pairs without")
+            .alias("SLAVE"),
+        Parameter::name("MAIN", "main surface of that pair").alias("MASTER"),
+        Parameter::flag("RESET", "all contact controls get their defaults"),
+        Parameter::of("ABSOLUTE PENETRATION TOLERANCE", Kind::Number, "overclosure [L] that AUGMENTED LAGRANGE leaves"),
+        Parameter::of(
+            "RELATIVE PENETRATION TOLERANCE",
+            Kind::Number,
+            "overclosure over the facets' length that AUGMENTED LAGRANGE leaves; 0.001, and 0.05 where surfaces may slide far",
+        ),
+        Parameter::of("STIFFNESS SCALE FACTOR", Kind::Number, "factor on the penalty stiffness"),
+        Parameter::of(
+            "STABILIZE",
+            Kind::Any,
+            "resist the surfaces' motion in this step; a value is a factor on the automatic coefficient",
+        ),
+        Parameter::of("TANGENT FRACTION", Kind::Number, "damping along the surface over that across it; 1"),
+        Parameter::not_yet("LAGRANGE MULTIPLIER", LAW),
+        Parameter::not_yet("APPROACH", "say `STABILIZE, TANGENT FRACTION=0.`"),
+        Parameter::idle("AUTOMATIC TOLERANCES", SETTLES),
+        Parameter::idle("MAXCHP", SETTLES),
+        Parameter::idle("PERRMX", SETTLES),
+        Parameter::idle("UERRMX", SETTLES),
+        Parameter::idle("FRICTION ONSET", "friction acts from the first touch on"),
+        Parameter::idle("SLIDE DISTANCE", "sliding is infinitesimal"),
+        Parameter::idle("PERTURBATION TANGENT SCALE FACTOR", STATIC),
+        Parameter::idle("PRESSURE DEPENDENT PERTURBATION", STATIC),
+        Parameter::not_yet("CPSET", EXPLICIT),
+        Parameter::not_yet("SCALE PENALTY", EXPLICIT),
+        Parameter::not_yet("GLOBTRKINC", EXPLICIT),
+        Parameter::not_yet("FASTLOCALTRK", EXPLICIT),
+        Parameter::not_yet("WARP CHECK PERIOD", EXPLICIT),
+        Parameter::not_yet("WARP CUT OFF", EXPLICIT),
+        Parameter::choice("TYPE", &[Choice::not_yet("SCALE PENALTY", EXPLICIT)], "not there yet"),
+    ],
+    data: Data::Lines(&[DataLine::optional(&[
+        Field::number("coefficient", "F·T/L³", "damping coefficient")
+            .or("1e-3 of the stiffness beneath times the step time")
+            .above(0.0),
+        Field::number("end", "-", "factor on it at the end of the step, from 1 at its start").or("0").least(0.0),
+        Field::number("range", "L", "clearance from which on nothing acts").or("the facets' length").above(0.0),
+    ])
+    .when("STABILIZE")]),
+    source: "Abaqus Keywords Reference, *CONTACT CONTROLS; the automatic coefficient is Signorini's own",
+};
