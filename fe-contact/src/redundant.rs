@@ -2,6 +2,7 @@
 //! determined point by point; that is told.
 
 use crate::contact::Contact;
+use crate::summary::Means;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// What elimination leaves of a row that depends on others [-], of its size: between round-off and the least angle between
@@ -58,9 +59,8 @@ pub struct Contradiction {
 /// The deepest point that no free freedom can move and that overlaps at `u`.
 pub fn contradiction(contacts: &[Contact], u: &[f64], fixed: &[bool]) -> Option<Contradiction> {
     let mut deepest: Option<Contradiction> = None;
-    for (k, contact) in
-        contacts.iter().enumerate().filter(|(_, c)| c.acts() && c.multipliers.is_some_and(|m| m.allowed.is_none()))
-    {
+    let hard = |c: &Contact| c.acts() && c.summary.penalty.is_some_and(|p| p.means == Means::Multipliers);
+    for (k, contact) in contacts.iter().enumerate().filter(|(_, contact)| hard(contact)) {
         let reach = contact.law.reach();
         for (i, point) in contact.points.iter().enumerate() {
             let here = contact.at(i, u);
