@@ -1,7 +1,7 @@
 //! The program: measures problems with known answers.
 
 use benchmarks::study::Options;
-use benchmarks::{compare, growth, hard, measure, problems, reading, study};
+use benchmarks::{card, compare, growth, hard, measure, problems, reading, study};
 use clap::{Parser, Subcommand};
 use std::error::Error;
 use std::ffi::OsString;
@@ -46,6 +46,18 @@ enum Command {
         cases: Vec<String>,
         /// Folder of decks and results.
         #[arg(long, default_value = "target/benchmarks/hard")]
+        work: PathBuf,
+    },
+    /// The laws and enforcements of *SURFACE BEHAVIOR side by side on problems with closed answers.
+    Laws {
+        /// Folder of decks and results.
+        #[arg(long, default_value = "target/benchmarks/laws")]
+        work: PathBuf,
+    },
+    /// The penalty of Hertz's line contact over twelve decades: errors against iterations.
+    Penalty {
+        /// Folder of decks and results.
+        #[arg(long, default_value = "target/benchmarks/penalty")]
         work: PathBuf,
     },
     /// Read a gmsh file of a million nodes, as text and as binary, beside gmsh's own reader.
@@ -133,6 +145,8 @@ fn execute(command: Command) -> Result<ExitCode, Box<dyn Error>> {
         Command::Compare { problems, settings } => compare_all(&problems, &settings.options(), out)?,
         Command::Cantilever { settings } => compare_all(&["cantilever".into()], &settings.options(), out)?,
         Command::Hard { cases, work } => return hard_cases(&cases, &work, out),
+        Command::Laws { work } => card::laws(&work, out)?,
+        Command::Penalty { work } => card::sweep(&work, out)?,
         Command::Reading { edge, settings } => {
             let Options { runs, work, results, .. } = settings.options();
             reading::study(&reading::Options { edge, runs, work, results }, out)?;

@@ -69,15 +69,17 @@ pub struct NodeValues {
 /// Overclosure of a penalty over the length of a facet up to which contact may be called hard [-].
 const SMALL: f64 = 0.01;
 
-/// A penalty so soft that the bodies overlap visibly.
+/// A penalty so soft that the bodies overlap visibly, or that gives way like another layer of elements.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TooSoft {
     /// Node with the largest overclosure.
     pub node: u32,
     /// It [L].
     pub overclosure: f64,
-    /// It over the length of a facet [-].
+    /// It over the length of a facet [-]; 0 where there are none.
     pub part: f64,
+    /// It over what the element beneath gives way [-]; 0 where that is not known.
+    pub layers: f64,
 }
 
 /// Forces [F] by node.
@@ -139,8 +141,9 @@ impl Contact {
         let penalty = self.summary.penalty.filter(|p| p.means == Means::Penalty && has_facets)?;
         let (node, overclosure) = state.largest_overclosure?;
         let overclosure = overclosure + penalty.clearance;
-        let part = overclosure / self.length;
-        (self.length > 0.0 && part > SMALL).then_some(TooSoft { node, overclosure, part })
+        let part = if self.length > 0.0 { overclosure / self.length } else { 0.0 };
+        let layers = self.summary.beneath.map_or(0.0, |beneath| beneath / penalty.stiffness);
+        (part > SMALL || layers >= 1.0).then_some(TooSoft { node, overclosure, part, layers })
     }
 
     fn side(&self, forces: &Forces, nodes: &[u32], turning: Vec3) -> SideForce {

@@ -10,6 +10,7 @@ use crate::reason::{explain, help};
 use crate::recorder::{self, Increment, Recorder};
 use crate::terms::Terms;
 use fe_contact::redundant::contradiction;
+use fe_contact::state::TooSoft;
 use fe_core::bodies::RigidMotion;
 use fe_core::increment::{Failure, IncrementSize};
 use fe_core::linear::multifrontal::Multifrontal;
@@ -171,11 +172,12 @@ impl StepRun<'_, '_> {
     fn tell_soft_contact(&mut self, at: &Converged) {
         for (contact, state) in self.terms.contacts.iter().zip(self.terms.states(at)) {
             let Some(soft) = contact.too_soft(&state) else { continue };
-            let (name, percent, overclosure) = (contact.name(), 100.0 * soft.part, soft.overclosure);
+            let (name, percent) = (contact.name(), 100.0 * soft.part);
+            let TooSoft { overclosure, layers, .. } = soft;
             let label = self.terms.structure.mesh.point_name(soft.node);
             self.observer.event(Event::Note(&format!(
-                "warning: the penalty of {name} lets node {label} in by {overclosure:.3e}, {percent:.1} % of a facet: contact \
-                 is not hard there; a stiffer penalty, AUGMENTED LAGRANGE or DIRECT is"
+                "warning: the penalty of {name} lets node {label} in by {overclosure:.3e}, {percent:.2} % of a facet and {layers:.2} \
+                 times what an element gives way: contact is not hard; a stiffer penalty, AUGMENTED LAGRANGE or DIRECT is"
             )));
         }
     }

@@ -3,10 +3,10 @@
 
 mod ball;
 mod cases;
-mod deck;
+pub(crate) mod deck;
 mod finding;
-mod patch;
-mod run;
+pub(crate) mod patch;
+pub(crate) mod run;
 
 pub use cases::CASES;
 pub use finding::{Finding, Verdict};

@@ -126,6 +126,13 @@ impl Patch {
         format!("{}{}{top}{}", self.model(mesh, order), self.supports(), step(self.residual, ""))
     }
 
+    /// The deck with the top pushed down by `depth` [L].
+    pub fn pushed(&self, mesh: &Mesh, order: Order, depth: f64) -> String {
+        let normal = if self.in_space() { 3 } else { 2 };
+        let push = format!("*BOUNDARY\nUP_{}MAX, {normal}, {normal}, -{depth:e}\n", self.axis());
+        format!("{}{}{}", self.model(mesh, order), self.supports(), step(self.residual, &push))
+    }
+
     /// Pressure over strain in the loaded direction [F/L²].
     pub fn modulus(&self) -> f64 {
         match self.element.space() {

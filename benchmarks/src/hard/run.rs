@@ -99,7 +99,8 @@ impl Place {
     }
 }
 
-fn run(path: &Path) -> Run {
+/// Runs a deck.
+pub fn run(path: &Path) -> Run {
     let start = Instant::now();
     let mut told = Recorded::default();
     let ended = catch_unwind(AssertUnwindSafe(|| fe::run(path, &standard(), &mut told)));
