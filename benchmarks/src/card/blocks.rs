@@ -28,7 +28,7 @@ impl Push for Blocks {
             residual: EXACT,
             ..Patch::plane(3, 4)
         };
-        patch.pushed(&patch.mesh(), Order::AsMade, Self::DEPTH)
+        patch.moved(&patch.mesh(), Order::AsMade, -Self::DEPTH)
     }
 
     const DEPTH: f64 = 0.02;

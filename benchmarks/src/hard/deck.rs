@@ -12,8 +12,13 @@ pub fn cards(mesh: &Mesh, elements: &[(&str, ElementType)], order: Order) -> Str
 
 /// An elastic material of all these element sets.
 pub fn elastic(sets: &[&str], young: f64, poisson: f64) -> String {
-    let sections: String = sets.iter().map(|set| format!("*SOLID SECTION, ELSET={set}, MATERIAL=ELASTIC\n")).collect();
-    format!("*MATERIAL, NAME=ELASTIC\n*ELASTIC\n{young:e}, {poisson:e}\n{sections}")
+    material("ELASTIC", sets, young, poisson)
+}
+
+/// The same with a name.
+pub fn material(name: &str, sets: &[&str], young: f64, poisson: f64) -> String {
+    let sections: String = sets.iter().map(|set| format!("*SOLID SECTION, ELSET={set}, MATERIAL={name}\n")).collect();
+    format!("*MATERIAL, NAME={name}\n*ELASTIC\n{young:e}, {poisson:e}\n{sections}")
 }
 
 /// Prescribed displacements of a node, as data lines of `*BOUNDARY`, with a value for each direction.

@@ -27,6 +27,8 @@ pub struct Patch {
     pub upper_is_secondary: bool,
     /// The main surface is secondary of a second pair.
     pub both_ways: bool,
+    /// How many times as stiff the lower block is [-].
+    pub lower_factor: f64,
     /// Cards of the interaction, after `*SURFACE INTERACTION`.
     pub behavior: String,
     /// `TYPE=` of the pair.
@@ -45,6 +47,7 @@ impl Default for Patch {
             overlap: 0.0,
             upper_is_secondary: true,
             both_ways: false,
+            lower_factor: 1.0,
             behavior: "*SURFACE BEHAVIOR, PENALTY\n".into(),
             kind: "SURFACE TO SURFACE",
             poisson: POISSON,
@@ -98,9 +101,10 @@ impl Patch {
         let [secondary, main] = if self.upper_is_secondary { [0, 1] } else { [1, 0] }.map(|i: usize| &sides[i]);
         let second = if self.both_ways { format!("{main}, {secondary}\n") } else { String::new() };
         format!(
-            "{}{}*SURFACE INTERACTION, NAME=I\n{}*CONTACT PAIR, INTERACTION=I, TYPE={}\n{secondary}, {main}\n{second}",
+            "{}{}{}*SURFACE INTERACTION, NAME=I\n{}*CONTACT PAIR, INTERACTION=I, TYPE={}\n{secondary}, {main}\n{second}",
             deck::cards(mesh, &sets.map(|set| (set, self.element)), order),
-            deck::elastic(&sets, YOUNG, self.poisson),
+            deck::elastic(&sets[1..], YOUNG, self.poisson),
+            deck::material("LOWER", &sets[..1], self.lower_factor * YOUNG, self.poisson),
             self.behavior,
             self.kind,
         )
@@ -126,10 +130,10 @@ impl Patch {
         format!("{}{}{top}{}", self.model(mesh, order), self.supports(), step(self.residual, ""))
     }
 
-    /// The deck with the top pushed down by `depth` [L].
-    pub fn pushed(&self, mesh: &Mesh, order: Order, depth: f64) -> String {
+    /// The deck with the top moved up by `rise` [L].
+    pub fn moved(&self, mesh: &Mesh, order: Order, rise: f64) -> String {
         let normal = if self.in_space() { 3 } else { 2 };
-        let push = format!("*BOUNDARY\nUP_{}MAX, {normal}, {normal}, -{depth:e}\n", self.axis());
+        let push = format!("*BOUNDARY\nUP_{}MAX, {normal}, {normal}, {rise:e}\n", self.axis());
         format!("{}{}{}", self.model(mesh, order), self.supports(), step(self.residual, &push))
     }
 

@@ -42,7 +42,7 @@ impl InSeries {
 
 impl NormalLaw for InSeries {
     fn respond(&self, gap: f64) -> NormalResponse {
-        if gap >= self.law.reach() {
+        if gap > self.law.reach() {
             return self.law.respond(gap);
         }
         let (x, answer) = self.within(gap);

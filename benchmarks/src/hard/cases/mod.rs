@@ -10,12 +10,15 @@ mod moved;
 mod order;
 mod overclosure;
 mod overconstraint;
+mod stiffness;
 mod units;
 
 use super::Case;
 
 /// All cases that are built, by number.
 pub const CASES: &[Case] = &[
+    Case { id: "D01", name: "penalty_sweep", scenes: stiffness::penalties },
+    Case { id: "D02", name: "stiffness_ratio", scenes: stiffness::contrasts },
     Case { id: "D04", name: "overconstraint", scenes: overconstraint::supported },
     Case { id: "D05", name: "shared_nodes", scenes: overconstraint::shared },
     Case { id: "D06", name: "two_pass", scenes: overconstraint::two_pass },
@@ -28,6 +31,7 @@ pub const CASES: &[Case] = &[
     Case { id: "D16", name: "offset", scenes: moved::offset },
     Case { id: "D17", name: "rotation", scenes: moved::rotation },
     Case { id: "D19", name: "conforming_faces", scenes: flush::scenes },
+    Case { id: "D24", name: "no_separation", scenes: stiffness::no_separation },
     Case { id: "D27", name: "bad_elements", scenes: elements::bad },
     Case { id: "D29", name: "face_counted", scenes: faults::faces },
     Case { id: "D30", name: "duplicates", scenes: faults::duplicates },
