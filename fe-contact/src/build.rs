@@ -71,7 +71,7 @@ impl Contact {
             origin: Origin::Pair(discretization),
             searched,
         };
-        let ground = ground(structure, &sides, definition);
+        let ground = ground((structure, freedoms), &sides, definition, &found.points);
         Contact::of_points((structure, freedoms), (found, sides), interaction, ground).map_err(|NoStiffness| {
             PairError::NoStiffness { secondary: definition.secondary_name.clone(), main: definition.main_name.clone() }
         })
@@ -318,13 +318,22 @@ fn measures(
 }
 
 /// What the elements beneath and the facets say of a pair.
-fn ground(structure: &Structure, sides: &Prepared, definition: &PairDefinition) -> Ground {
-    let each = [&sides.secondary, &sides.main].map(|facets| stiffness::beneath(structure, facets));
-    let (beneath, length) = (each.into_iter().flatten().reduce(f64::min), facet_length(sides));
+fn ground(
+    bodies: (&Structure, &Freedoms),
+    sides: &Prepared,
+    definition: &PairDefinition,
+    points: &[ContactPoint],
+) -> Ground {
+    let beneath = match definition.secondary {
+        Secondary::Faces(_) => {
+            let each = [&sides.secondary, &sides.main].map(|facets| stiffness::beneath(bodies.0, facets));
+            each.into_iter().flatten().reduce(f64::min)
+        }
+        Secondary::Nodes(_) | Secondary::Lines(_) => stiffness::at_points(bodies, points),
+    };
     Ground {
-        // A line presses on a strip of the main side as wide as its facets.
-        beneath: beneath.map(|k| if matches!(definition.secondary, Secondary::Lines(_)) { k * length } else { k }),
-        length,
+        beneath,
+        length: facet_length(sides),
         slides_far: definition.discretization == Discretization::SurfaceToSurface && !definition.small_sliding,
     }
 }
