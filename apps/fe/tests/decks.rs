@@ -25,6 +25,7 @@ decks! {
     parts_assembly
     patch_c3d8
     plane_stress_linear
+    pressfit_axisymmetric
     thick_cylinder
 }
 
