@@ -96,7 +96,6 @@ fn a25_press_fit() {
             let found = run("press_fit", &deck(rings, n, "", cards, increments));
             assert_eq!(found.len(), 2);
             let worst = found.iter().fold(0.0f64, |m, p| m.max((p / exact - 1.0).abs()));
-            eprintln!("A25 n = {n}: {worst:.3e}, times n² {:.4}", worst * (n * n) as f64);
             assert!(worst <= 0.06 / (n * n) as f64, "{n} {cards:?}: {found:?}, not {exact}");
         }
     }

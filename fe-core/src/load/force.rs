@@ -90,7 +90,7 @@ const NODES: usize = 10;
 impl Forces<'_> {
     fn add(&mut self, node: u32, component: usize, force: f64) -> Result<(), LoadError> {
         let freedom = self.freedoms.index(node as usize, component).ok_or_else(|| LoadError::NoFreedom {
-            label: self.structure.mesh.point_name(node as u32),
+            label: self.structure.mesh.point_name(node),
             component: component as u8,
         })?;
         *self.sum.entry(freedom).or_insert(0.0) += force;
