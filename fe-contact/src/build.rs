@@ -19,6 +19,7 @@ use crate::stiffness;
 use crate::summary::{MeasureKind, Origin, Summary};
 use crate::surface::{Main, Secondary};
 use crate::surface_to_surface::{self, Constraints, RigidSide};
+use crate::tangents::Space;
 use fe_core::{Freedoms, Structure};
 use fe_mesh::CellId;
 use std::collections::BTreeMap;
@@ -54,12 +55,14 @@ impl Contact {
             Main::Faces(_) => None,
         };
         let measure = measures((structure, definition), &sides, interaction, discretization);
+        let space = if structure.is_plane() { Space::Plane } else { Space::Solid };
+        let slides = interaction.friction.as_ref().map(|_| space);
         let points: Vec<ContactPoint> = constraints
             .shares
             .into_iter()
             .map(|s| {
                 let measure = measure(s.node, s.weight);
-                s.into_point(measure, freedoms, reference)
+                s.into_point(measure, freedoms, reference, slides)
             })
             .collect();
         let found = Found {
@@ -84,8 +87,13 @@ impl Contact {
         interaction: &Interaction,
         ground: Ground,
     ) -> Result<Self, NoStiffness> {
-        let Carried { law, penalty, multipliers } = Carried::new(&interaction.normal, ground, Overrides::default())?;
-        let Found { name, surfaces, points, cells, reference, origin, searched } = found;
+        let carried = Carried::new(&interaction.normal, ground, Overrides::default())?;
+        let tangential = interaction.friction.as_ref().map(|friction| carried.friction(friction, ground));
+        let Carried { law, penalty, multipliers } = carried;
+        let Found { name, surfaces, mut points, cells, reference, origin, searched } = found;
+        if tangential.is_none() {
+            points.iter_mut().for_each(|p| p.slide = None);
+        }
         let place = |&n: &u32| freedoms.of_node(n as usize);
         let both = sides.secondary_nodes.iter().chain(&sides.main_nodes);
         Ok(Contact {
@@ -94,6 +102,7 @@ impl Contact {
             places: points.iter().map(|p| p.nodes.iter().map(place).collect()).collect(),
             blocks: Mutex::default(),
             multipliers,
+            tangential,
             no_separation: interaction.no_separation,
             law,
             length: ground.length,

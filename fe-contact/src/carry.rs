@@ -27,7 +27,7 @@ pub(crate) struct Ground {
 
 impl Ground {
     /// Stiffness [F/L³] up to which a law stands as it is.
-    fn stiffest(&self) -> Option<f64> {
+    pub(crate) fn stiffest(&self) -> Option<f64> {
         self.beneath.map(|k| AUGMENTED_FACTOR * k)
     }
 }

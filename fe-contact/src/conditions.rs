@@ -103,9 +103,4 @@ impl Contact {
     pub fn acts(&self) -> bool {
         self.activity == Activity::Acting
     }
-
-    /// Numbers of history without what a step alone needs: a status for each point, and its multiplier.
-    pub(crate) fn numbers(&self) -> usize {
-        if self.multipliers.is_some() { 2 * self.points.len() } else { self.points.len() }
-    }
 }

@@ -4,11 +4,13 @@ use crate::carry::Ground;
 use crate::conditions::{Activity, Overrides};
 use crate::enforce::Multipliers;
 use crate::facet::Vec3;
+use crate::friction::Coulomb;
 use crate::interaction::NormalBehavior;
 use crate::interference::Allowance;
 use crate::law::NormalLaw;
 use crate::point::ContactPoint;
 use crate::sides::Prepared;
+use crate::slip::Tangential;
 use crate::summary::Summary;
 use crate::term::Blocks;
 use crate::viscous::Resistance;
@@ -34,6 +36,8 @@ pub struct Contact {
     pub(crate) law: Arc<dyn NormalLaw>,
     /// Multipliers on top of the law.
     pub(crate) multipliers: Option<Multipliers>,
+    /// What acts along the surface.
+    pub(crate) tangential: Option<Tangential>,
     /// True where points that closed may pull.
     pub(crate) no_separation: bool,
     /// Length [L] of the facets, or what stands for it; 0 where nothing does.
@@ -100,14 +104,31 @@ impl Contact {
         self.reference.is_some()
     }
 
+    /// The law of friction; `None`: the surfaces slide freely.
+    pub fn friction(&self) -> Option<&Coulomb> {
+        self.tangential.as_ref().map(|t| &t.law)
+    }
+
+    /// True where multipliers hold sticking points: they do not move at all.
+    pub fn sticks_exactly(&self) -> bool {
+        self.tangential.as_ref().is_some_and(|t| t.multipliers.is_some())
+    }
+
     /// Forces [F] that it puts on the freedoms at a displacement; a freedom may be there more than once.
     pub fn force(&self, u: &[f64], history: &[f64]) -> Vec<(usize, f64)> {
         let of_point = |i: usize| {
-            let here = self.at(i, u);
+            let (here, p) = (self.at(i, u), &self.points[i]);
             let (answer, _) = self.answer(i, here.gap, history, self.is_held(i, history));
-            let force = answer.pressure * self.points[i].measure.value();
-            let freedoms = self.places[i].iter().cloned().flatten();
-            here.row.iter().zip(freedoms).map(|(d, f)| (f, force * d)).collect::<Vec<_>>()
+            let (shear, _) = self.shear_and_slip(i, history);
+            let slide = p.slide_from(u, &self.places[i]).filter(|_| shear != [0.0; 2]);
+            let mut forces = Vec::new();
+            let mut add = |row: &[f64], force: f64| {
+                let freedoms = self.places[i].iter().cloned().flatten();
+                forces.extend(row.iter().zip(freedoms).map(|(d, f)| (f, force * p.measure.value() * d)));
+            };
+            add(&here.row, answer.pressure);
+            slide.iter().flat_map(|slide| slide.rows.iter().zip(shear)).for_each(|(row, shear)| add(row, -shear));
+            forces
         };
         (0..self.points.len()).flat_map(of_point).filter(|(_, force)| *force != 0.0).collect()
     }

@@ -6,10 +6,11 @@ use crate::contact::Contact;
 use crate::facet::Vec3;
 use crate::interaction::Interaction;
 use crate::point::{ContactPoint, Measure, Round};
-use crate::share::Share;
+use crate::share::{Row, Share};
 use crate::sides::Prepared;
 use crate::stiffness;
 use crate::summary::Origin;
+use crate::tangents::Space;
 use fe_core::{Freedoms, Structure};
 use fe_mesh::CellId;
 use nalgebra::Matrix3;
@@ -69,13 +70,15 @@ impl Offset {
         (w.norm() > ROUND_OFF * size).then_some(w)
     }
 
-    /// A flat point: g = `gap` + n·(u − Σ N U) with the unit vector n.
+    /// A flat point, with its directions along: g = `gap` + n·(u − Σ N U) with the unit vector n.
     pub fn flat(&self, normal: Vec3, gap: f64, measure: Measure, freedoms: &Freedoms) -> ContactPoint {
         let mut share = Share { weight: 1.0, gap, normal, ..Share::new(self.node) };
-        share.rows.push((self.node, normal));
-        share.rows.extend(self.carriers.iter().map(|&(n, weight)| (n, normal * -weight)));
+        share.rows.push(Row::new(self.node, &normal, 1.0));
+        share.rows.extend(self.carriers.iter().map(|&(n, weight)| Row::new(n, &normal, -weight)));
         share.compress();
-        share.into_point(measure, freedoms, None)
+        let plane = freedoms.index(self.node as usize, 2).is_none();
+        let space = if plane { Space::Plane } else { Space::Solid };
+        share.into_point(measure, freedoms, None, Some(space))
     }
 
     /// A point whose nodes are at most (d > 0) or at least (d < 0) |d| [L] apart. Without large displacements its direction
@@ -103,7 +106,7 @@ impl Offset {
         let rows = axes.map(|axis| axis.row);
         let row = vec![0.0; rows[0].len()];
         let round = Some(Box::new(Round { start: [0.0; 3], rows, distance }));
-        ContactPoint { node: self.node, gap: distance, normal: [0.0; 3], measure, nodes, row, round }
+        ContactPoint { node: self.node, gap: distance, normal: [0.0; 3], measure, nodes, row, round, slide: None }
     }
 }
 

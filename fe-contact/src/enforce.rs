@@ -11,9 +11,10 @@ use crate::law::{NormalLaw, NormalResponse};
 use crate::point::ContactStatus;
 use fe_core::term::{Equilibrium, Overlap};
 
-/// History of an open point, and of a closed one.
+/// History of an open point, of a closed one, and of one that slips.
 pub(crate) const OPEN: f64 = 0.0;
 pub(crate) const CLOSED: f64 = 1.0;
+pub(crate) const SLIPPING: f64 = 2.0;
 
 /// Part of the largest pressure that a multiplier may be wrong by where no overclosure is allowed [-]: what rounding
 /// leaves of systems with a condition number up to 1e4.
@@ -39,7 +40,7 @@ pub(crate) struct Multipliers {
 
 impl Multipliers {
     /// Largest overclosure [L] that is left where the largest pressure is `largest`.
-    fn limit(&self, largest: f64, passes: usize) -> f64 {
+    pub(crate) fn limit(&self, largest: f64, passes: usize) -> f64 {
         match self.allowed {
             Some(allowed) => allowed,
             None if passes < PATIENCE => EXACT * largest / self.slope,
@@ -71,26 +72,37 @@ impl Contact {
     }
 
     /// λ/K [L] of a point.
-    fn shift(&self, point: usize, history: &[f64]) -> f64 {
+    pub(crate) fn shift(&self, point: usize, history: &[f64]) -> f64 {
         if self.multipliers.is_some() { history[self.points.len() + point] } else { 0.0 }
+    }
+
+    /// What rounding leaves of gaps and slips [L].
+    pub(crate) fn round_off(&self) -> f64 {
+        4.0 * f64::EPSILON / TOUCH * self.touch
     }
 
     /// True where a point that was closed at the end of the last increment may not open any more.
     pub(crate) fn is_held(&self, point: usize, history: &[f64]) -> bool {
-        self.no_separation && history[point] == CLOSED
+        self.no_separation && history[point] != OPEN
+    }
+
+    /// Takes pressures and shears as multipliers; the worst of what is not met yet.
+    pub(crate) fn take_multipliers(&self, at: Equilibrium, old: &[f64], new: &mut [f64]) -> Option<Overlap> {
+        let pressures = self.take_pressures(at, old, new);
+        let shears = self.take_shears(at, old, new);
+        pressures.into_iter().chain(shears).max_by(|a, b| a.overclosure.abs().total_cmp(&b.overclosure.abs()))
     }
 
     /// Takes the pressures as multipliers, unless the overclosures are small enough already, or no larger than what is
     /// not balanced explains. Returns the largest one that is not.
-    pub(crate) fn take_multipliers(&self, at: Equilibrium, old: &[f64], new: &mut [f64]) -> Option<Overlap> {
+    fn take_pressures(&self, at: Equilibrium, old: &[f64], new: &mut [f64]) -> Option<Overlap> {
         let multipliers = self.multipliers?;
         let slope = multipliers.slope;
         let pressures: Vec<f64> = (0..self.points.len())
             .map(|i| self.answer(i, self.opening(i, at.u), new, self.is_held(i, old)).0.pressure)
             .collect();
         let largest = pressures.iter().fold(0.0, |m: f64, p| m.max(p.abs()));
-        let round_off = 4.0 * f64::EPSILON / TOUCH * self.touch;
-        let limit = multipliers.limit(largest, at.passes).max(round_off);
+        let limit = multipliers.limit(largest, at.passes).max(self.round_off());
         let mut worst: Option<Overlap> = None;
         for (i, pressure) in pressures.iter().enumerate() {
             // How far the gap of a point that presses, or is held, is from where it belongs.

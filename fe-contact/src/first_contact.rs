@@ -1,8 +1,9 @@
 //! The first contact of bodies that contact alone holds: how far their loads move them rigidly until they are met.
 //!
-//! Rigid motions q under constant forces f, without friction: gaps are g + R q ≥ 0. Where points touch, only
+//! Rigid motions q under constant forces f: gaps are g + R q ≥ 0. Where points touch, only
 //! directions that do not close them are open; the bodies go along the one nearest to f until the next point meets,
-//! and come to rest where the pressures of touching points balance f (Farkas: f + Rᵀλ = 0, λ ≥ 0).
+//! and come to rest where the pressures of touching points balance f (Farkas: f + Rᵀλ = 0, λ ≥ 0). With friction points that
+//! the load presses do not slip; whether their friction is enough the equilibrium tells.
 
 use crate::contact::Contact;
 use nalgebra::{DMatrix, DVector};
@@ -19,6 +20,8 @@ pub struct RigidContact {
     touch: DVector<f64>,
     /// How the gaps change with the motions, `[points × motions]`.
     rates: DMatrix<f64>,
+    /// How the slips of each point change with the motions; none without friction.
+    slips: Vec<Vec<DVector<f64>>>,
 }
 
 /// Where bodies go.
@@ -53,15 +56,24 @@ impl RigidContact {
         let gaps: Vec<f64> = points.iter().map(|(pair, i)| pair.opening_at_start(*i, u) - pair.law().reach()).collect();
         let touch: Vec<f64> = points.iter().map(|(pair, _)| pair.touch).collect();
         let mut rates = DMatrix::zeros(gaps.len(), motions.len());
+        let along = |(pair, i): &(&Contact, usize)| if pair.slides(*i, u) { 2 } else { 0 };
+        let mut slips: Vec<Vec<DVector<f64>>> =
+            points.iter().map(|point| vec![DVector::zeros(motions.len()); along(point)]).collect();
         for (k, field) in motions.enumerate() {
-            points.iter().enumerate().for_each(|(row, (pair, i))| rates[(row, k)] = pair.rate(*i, u, &field));
+            for (row, (pair, i)) in points.iter().enumerate() {
+                rates[(row, k)] = pair.rate(*i, u, &field);
+                let slip = pair.slip_rate(*i, u, &field);
+                slips[row].iter_mut().zip(slip).for_each(|(rates, rate)| rates[k] = rate);
+            }
         }
-        RigidContact { gaps: gaps.into(), touch: touch.into(), rates }
+        RigidContact { gaps: gaps.into(), touch: touch.into(), rates, slips }
     }
 
-    /// An orthonormal basis of the motions that change no gap: no contact of these pairs holds them.
+    /// An orthonormal basis of the motions that change no gap, nor slip with friction: no contact of these pairs holds them.
     pub fn unheld(&self) -> Vec<Vec<f64>> {
-        let eigen = (self.rates.transpose() * &self.rates).symmetric_eigen();
+        let mut product = self.rates.transpose() * &self.rates;
+        self.slips.iter().flatten().for_each(|row| product += row * row.transpose());
+        let eigen = product.symmetric_eigen();
         let limit = ROUND_OFF * ROUND_OFF * self.gaps.len() as f64;
         let basis =
             eigen.eigenvalues.iter().zip(eigen.eigenvectors.column_iter()).filter(|(value, _)| **value <= limit);
@@ -76,7 +88,7 @@ impl RigidContact {
         // Each leg ends at a point that was not touched; bodies that roll along many come to rest near enough.
         for _ in 0..=self.gaps.len() {
             let touching: Vec<usize> = (0..gaps.len()).filter(|&i| gaps[i] <= self.touch[i]).collect();
-            let direction = self.open_direction(&forces, &touching);
+            let direction = self.direction(&forces, &touching);
             if direction.norm() <= ROUND_OFF * forces.norm() {
                 break;
             }
@@ -93,9 +105,42 @@ impl RigidContact {
         Rest::At(moved.iter().copied().collect())
     }
 
+    /// Where `forces` drive the bodies that touch so: along what closes no touching point and, with friction, makes none
+    /// slip that is pressed, or that no motion opens or closes.
+    fn direction(&self, forces: &DVector<f64>, touching: &[usize]) -> DVector<f64> {
+        let (direction, pressed) = self.open_direction(forces, touching);
+        let idle = |i: &usize| self.rates.row(*i).amax() <= ROUND_OFF;
+        let held = pressed.iter().map(|p| p.0).chain(touching.iter().copied().filter(idle));
+        let rows: Vec<DVector<f64>> = held.flat_map(|i| self.slips[i].iter().cloned()).collect();
+        if rows.is_empty() {
+            return direction;
+        }
+        let svd = DMatrix::from_columns(&rows).svd(true, false);
+        let Some(basis) = svd.u else { return direction };
+        let largest = svd.singular_values.max();
+        let columns = basis.column_iter().zip(&svd.singular_values);
+        let held: Vec<_> = columns.filter(|(_, size)| **size > ROUND_OFF * largest).map(|(column, _)| column).collect();
+        let without = |v: DVector<f64>| {
+            held.iter().fold(v, |v, q| {
+                let part = q.dot(&v);
+                v - q * part
+            })
+        };
+        let mut rates = self.rates.clone();
+        for mut row in rates.row_iter_mut() {
+            let free = without(row.transpose());
+            row.copy_from(&free.transpose());
+        }
+        let left = RigidContact { rates, gaps: self.gaps.clone(), touch: self.touch.clone(), slips: Vec::new() };
+        let free = without(forces.clone());
+        let direction = left.open_direction(&free, touching).0;
+        // What is left of a force that friction balances is rounding.
+        if direction.norm() <= ROUND_OFF * forces.norm() { DVector::zeros(forces.len()) } else { direction }
+    }
+
     /// The vector nearest to `forces` that closes no touching point: f + Rᵀλ with the λ ≥ 0 that make it shortest
-    /// (Lawson and Hanson, Solving Least Squares Problems, 1974, chapter 23).
-    fn open_direction(&self, forces: &DVector<f64>, touching: &[usize]) -> DVector<f64> {
+    /// (Lawson and Hanson, Solving Least Squares Problems, 1974, chapter 23), and these λ.
+    fn open_direction(&self, forces: &DVector<f64>, touching: &[usize]) -> (DVector<f64>, Vec<(usize, f64)>) {
         let mut pressed: Vec<(usize, f64)> = Vec::new();
         let mut direction = forces.clone();
         for _ in 0..3 * (touching.len() + 1) {
@@ -109,7 +154,7 @@ impl RigidContact {
             direction = forces.clone();
             pressed.iter().for_each(|&(i, force)| direction += self.rates.row(i).transpose() * force);
         }
-        direction
+        (direction, pressed)
     }
 
     /// The forces of pressed points that leave least of `forces`; points that would pull are let go.
@@ -149,6 +194,7 @@ mod tests {
             gaps: DVector::from_column_slice(gaps),
             touch: DVector::from_element(gaps.len(), 1e-12),
             rates: DMatrix::from_fn(rates.len(), 2, |i, k| rates[i][k]),
+            slips: vec![Vec::new(); gaps.len()],
         }
     }
 
@@ -178,6 +224,25 @@ mod tests {
         for forces in [[1.0, 5.0], [5.0, 1.0], [1.0, 1.0], [0.0, 1.0]] {
             assert_at(&stack.settle(&forces), [0.3, 0.5]);
         }
+    }
+
+    /// A block on a plane with friction, free to sink and to slide: it sinks along its load and then sticks, also where
+    /// nothing presses it, as long as no motion opens it; a load upwards takes it away.
+    #[test]
+    fn friction_holds_what_is_pressed() {
+        let slide = |rates: [f64; 2]| vec![DVector::from_column_slice(&rates)];
+        let block = |gap: f64| RigidContact { slips: vec![slide([0.0, 1.0])], ..contact(&[gap], &[[-1.0, 0.0]]) };
+        assert!(block(0.0).unheld().is_empty());
+        assert_at(&block(0.0).settle(&[1.0, 0.5]), [0.0, 0.0]);
+        assert_at(&block(0.2).settle(&[1.0, 0.5]), [0.2, 0.1]);
+        assert_eq!(block(0.0).settle(&[-1.0, 0.0]), Rest::Nowhere(vec![-1.0, 0.0]));
+        assert!(matches!(block(0.0).settle(&[0.0, 1.0]), Rest::Nowhere(_)));
+        let idle = RigidContact { slips: vec![slide([0.0, 1.0])], ..contact(&[0.0], &[[0.0, 0.0]]) };
+        assert_at(&idle.settle(&[0.0, 1.0]), [0.0, 0.0]);
+        // A wall that nothing presses lets it sink to the ground.
+        let beside = contact(&[0.0, 0.3], &[[0.0, -1.0], [-1.0, 0.0]]);
+        let beside = RigidContact { slips: vec![slide([1.0, 0.0]), Vec::new()], ..beside };
+        assert_at(&beside.settle(&[1.0, 0.0]), [0.3, 0.0]);
     }
 
     /// A point in a corner of two planes, and points that all say the same.

@@ -1,5 +1,6 @@
 //! What a `*SURFACE INTERACTION` says.
 
+use crate::friction::Friction;
 use crate::law::NormalLaw;
 use std::sync::Arc;
 
@@ -52,6 +53,8 @@ pub struct Interaction {
     pub normal: NormalBehavior,
     /// `NO SEPARATION`: a point that closed stays closed, and may pull.
     pub no_separation: bool,
+    /// `*FRICTION`; `None`: the surfaces slide freely.
+    pub friction: Option<Friction>,
     /// The data line: out-of-plane thickness [L] (plane models) or the area [L²] of every node of a node-based
     /// surface.
     pub measure: Option<f64>,

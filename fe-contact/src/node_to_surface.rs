@@ -4,7 +4,7 @@
 use crate::closest::{Closest, Found};
 use crate::facet::{Facet, Rules, Vec3};
 use crate::overlap::{FACING, Sides};
-use crate::share::Share;
+use crate::share::{Row, Share};
 use crate::surface_to_surface::{Constraints, RigidSide};
 use rayon::prelude::*;
 use std::collections::BTreeMap;
@@ -61,9 +61,9 @@ pub fn deformable(nodes: &[Node], sides: &Sides) -> Constraints {
             Found::Foot(foot) => {
                 let facet = &sides.main[foot.facet as usize];
                 let mut share = Share { weight: 1.0, gap: foot.gap, normal: foot.normal, ..Share::new(n.node) };
-                share.rows.push((n.node, foot.normal));
+                share.rows.push(Row::new(n.node, &foot.normal, 1.0));
                 let values = facet.values(foot.xi);
-                share.rows.extend(facet.nodes().iter().zip(values).map(|(&m, v)| (m, foot.normal * -v)));
+                share.rows.extend(facet.nodes().iter().zip(values).map(|(&m, v)| Row::new(m, &foot.normal, -v)));
                 share.compress();
                 part.shares.push(share);
             }
@@ -93,8 +93,8 @@ pub fn rigid(nodes: &[Node], main: RigidSide, deepest: f64) -> Constraints {
             part.too_deep = Some((-at.gap, n.node));
         }
         let mut share = Share { weight: 1.0, gap: at.gap, normal, ..Share::new(n.node) };
-        share.rows.push((n.node, normal));
-        share.add_rigid(main.reference, &normal, &(n.x - normal * at.gap - main.position), 1.0);
+        share.rows.push(Row::new(n.node, &normal, 1.0));
+        share.add_rigid(main.reference, &normal, &(n.x - main.position), 1.0);
         share.compress();
         part.shares.push(share);
         part

@@ -1,6 +1,7 @@
 //! One constraint point of contact: where it sits, how much surface it stands for, what it presses on.
 
 use crate::facet::Vec3;
+use crate::tangents::{Space, tangents};
 use std::borrow::Cow;
 use std::ops::Range;
 
@@ -31,7 +32,7 @@ pub enum ContactStatus {
     /// No pressure.
     #[default]
     Open,
-    /// Pressed, not slipping (always so without friction).
+    /// Pressed, not slipping: with friction it sticks.
     Closed,
     /// Pressed and slipping.
     Slipping,
@@ -57,6 +58,17 @@ pub struct ContactPoint {
     pub row: Vec<f64>,
     /// Where the gap is not linear.
     pub round: Option<Box<Round>>,
+    /// Where something acts along the surface; a round point has its directions from its offset.
+    pub slide: Option<Box<Slide>>,
+}
+
+/// How a point moves along the surface: slips γᵢ = tᵢ · (motion of the secondary side − motion of the main one).
+#[derive(Clone, Debug, PartialEq)]
+pub struct Slide {
+    /// Unit directions t₁, t₂; see [`tangents`].
+    pub directions: [[f64; 3]; 2],
+    /// ∂γᵢ/∂u, as [`ContactPoint::row`]; the second one empty in plane models.
+    pub rows: [Vec<f64>; 2],
 }
 
 /// A gap between two circles or balls, one in the other or side by side, whose direction is that of the offset
@@ -106,7 +118,45 @@ impl ContactPoint {
     }
 }
 
+impl ContactPoint {
+    /// How it moves along the surface at `u`, `du` from the start of the increment, where something acts so. A round point
+    /// keeps the directions that it has at the start of an increment.
+    pub fn slide_at(&self, (u, du): (&[f64], &[f64]), places: &[Range<usize>]) -> Option<Cow<'_, Slide>> {
+        match &self.round {
+            None => self.slide.as_deref().map(Cow::Borrowed),
+            Some(round) => {
+                let now = round.offset(u, places);
+                let start = Vec3::from_fn(|c, _| now[c] - dot(&round.rows[c], du, places));
+                round.slide([start, now]).map(Cow::Owned)
+            }
+        }
+    }
+
+    /// The same for an increment that begins at `u`.
+    pub fn slide_from(&self, u: &[f64], places: &[Range<usize>]) -> Option<Cow<'_, Slide>> {
+        match &self.round {
+            None => self.slide.as_deref().map(Cow::Borrowed),
+            Some(round) => round.slide([round.offset(u, places); 2]).map(Cow::Owned),
+        }
+    }
+}
+
+impl Slide {
+    /// Slip [L] of a motion.
+    pub fn slip(&self, motion: &[f64], places: &[Range<usize>]) -> [f64; 2] {
+        [0, 1].map(|i| dot(&self.rows[i], motion, places))
+    }
+}
+
 impl Round {
+    /// Along the circles or balls where one of these offsets has a direction, the first one first.
+    fn slide(&self, offsets: [Vec3; 2]) -> Option<Slide> {
+        let m = offsets.into_iter().find_map(|offset| offset.try_normalize(0.0))?;
+        let sign = if self.distance > 0.0 { -1.0 } else { 1.0 };
+        let directions = tangents(&(m * sign), Space::Solid);
+        Some(Slide { directions: directions.map(Into::into), rows: directions.map(|t| self.along(&t)) })
+    }
+
     fn offset(&self, u: &[f64], places: &[Range<usize>]) -> Vec3 {
         Vec3::from_fn(|c, _| self.start[c] + dot(&self.rows[c], u, places))
     }

@@ -1,6 +1,7 @@
 //! What a pair does at a displacement: point by point, in sum, and as nodal forces.
 
 use crate::contact::Contact;
+use crate::enforce::SLIPPING;
 use crate::facet::Vec3;
 use crate::point::{ContactStatus, Measure};
 use crate::summary::{Means, Origin};
@@ -15,8 +16,12 @@ pub struct PointState {
     pub opening: f64,
     /// The law's number (see [`Measure`]), positive in compression: CPRESS.
     pub pressure: f64,
-    /// Open or closed: CSTATUS.
+    /// Open, closed or slipping: CSTATUS.
     pub status: ContactStatus,
+    /// Shear along t₁ and t₂ in the pressure's unit, on the main side, against it on the secondary one: CSHEAR1, CSHEAR2.
+    pub shear: [f64; 2],
+    /// Slip [L] of the secondary side along t₁ and t₂ while it was closed: CSLIP1, CSLIP2.
+    pub slip: [f64; 2],
     /// How much surface it stands for: CNAREA.
     pub measure: Measure,
 }
@@ -41,6 +46,10 @@ pub struct ContactState {
     pub secondary: SideForce,
     /// On the main side (on the reference node of a rigid one, its moment included in the total).
     pub main: SideForce,
+    /// What friction adds on the secondary side: CSHEARF, CFS, CMS; `None` without friction.
+    pub secondary_shear: Option<SideForce>,
+    /// What friction adds on the main side.
+    pub main_shear: Option<SideForce>,
     /// Node and amount [L] of the largest overclosure; `None` when nothing overlaps.
     pub largest_overclosure: Option<(u32, f64)>,
     /// Node and amount of the largest tensile pressure that is not allowed; `None` when nothing pulls.
@@ -60,8 +69,12 @@ pub struct NodeValues {
     pub opening: Option<f64>,
     /// The law's number; 0 where the node faces nothing.
     pub pressure: f64,
-    /// Open or closed.
+    /// Open, closed or slipping.
     pub status: ContactStatus,
+    /// Shear along t₁ and t₂.
+    pub shear: [f64; 2],
+    /// Slip along t₁ and t₂ [L].
+    pub slip: [f64; 2],
     /// Area [L²] (or length) that it stands for; 0 at mid-side nodes and where it faces nothing.
     pub measure: f64,
 }
@@ -82,57 +95,87 @@ pub struct TooSoft {
     pub layers: f64,
 }
 
-/// Forces [F] by node.
-type Forces = BTreeMap<u32, Vec3>;
+impl ContactState {
+    /// Force [F] and moment about the origin [F L] on the secondary side, friction included: CFT, CMT.
+    pub fn total(&self) -> ([f64; 3], [f64; 3]) {
+        let (mut force, mut moment) = (self.secondary.force, self.secondary.moment);
+        if let Some(shear) = &self.secondary_shear {
+            (0..3).for_each(|c| force[c] += shear.force[c]);
+            (0..3).for_each(|c| moment[c] += shear.moment[c]);
+        }
+        (force, moment)
+    }
+}
+
+/// Forces by node of the secondary and of the main side, for a node may be on either in different points, and what turns the
+/// reference node.
+#[derive(Default)]
+struct Forces {
+    secondary: BTreeMap<u32, Vec3>,
+    main: BTreeMap<u32, Vec3>,
+    turning: Vec3,
+}
 
 impl Contact {
     /// The state at a displacement, with the history that belongs to it.
     pub fn state(&self, u: &[f64], history: &[f64]) -> ContactState {
         let mut state = ContactState { stabilized: self.stabilized(history), ..ContactState::default() };
-        // A node may be on the secondary side of one element and on the main side of another.
-        let (mut secondary, mut main) = (Forces::new(), Forces::new());
-        let mut turning = Vec3::zeros();
+        let (mut normal, mut along) = (Forces::default(), Forces::default());
         for (i, p) in self.points.iter().enumerate() {
             let here = self.at(i, u);
             let opening = here.gap + self.allowed(i, history);
-            let (answer, status) = if self.acts() {
+            let (answer, closed) = if self.acts() {
                 self.answer(i, here.gap, history, self.is_held(i, history))
             } else {
                 Default::default()
             };
-            let force = answer.pressure * p.measure.value();
-            state.points.push(PointState {
-                node: p.node,
-                opening,
-                pressure: answer.pressure,
-                status,
-                measure: p.measure,
-            });
+            let (shear, slip) = self.shear_and_slip(i, history);
+            let slips = closed != ContactStatus::Open && history[i] == SLIPPING;
+            let status = if slips { ContactStatus::Slipping } else { closed };
+            let measure = p.measure.value();
+            let pressure = answer.pressure;
+            state.points.push(PointState { node: p.node, opening, pressure, status, shear, slip, measure: p.measure });
             if self.acts() {
                 keep_larger(&mut state.largest_overclosure, p.node, -opening);
             }
             if !self.no_separation {
-                keep_larger(&mut state.largest_tension, p.node, -answer.pressure);
+                keep_larger(&mut state.largest_tension, p.node, -pressure);
             }
             if let (ContactStatus::Closed | ContactStatus::Slipping, Measure::Area(a)) = (status, p.measure) {
                 state.closed_area += a;
             }
-            let mut row = here.row.iter();
-            for (&n, place) in p.nodes.iter().zip(&self.places[i]) {
-                let is_main = n != p.node && self.sides.main_nodes.binary_search(&n).is_ok();
-                let at = if is_main { &mut main } else { &mut secondary }.entry(n).or_default();
-                let components = self.reference.as_ref().filter(|r| r.0 == n).map(|r| r.1.as_slice());
-                for (k, d) in row.by_ref().take(place.len()).enumerate() {
-                    match components.map_or(k, |c| c[k]) {
-                        c @ 0..3 => at[c] += force * d,
-                        c => turning[c - 3] += force * d,
-                    }
+            self.spread(i, &here.row, pressure * measure, &mut normal);
+            if shear != [0.0; 2]
+                && let Some(slide) = p.slide_from(u, &self.places[i])
+            {
+                for (row, shear) in slide.rows.iter().zip(shear) {
+                    self.spread(i, row, -shear * measure, &mut along);
                 }
             }
         }
-        state.secondary = self.side(&secondary, &self.sides.secondary_nodes, Vec3::zeros());
-        state.main = self.side(&main, &self.sides.main_nodes, turning);
+        state.secondary = self.side(&normal.secondary, &self.sides.secondary_nodes, Vec3::zeros());
+        state.main = self.side(&normal.main, &self.sides.main_nodes, normal.turning);
+        if self.tangential.is_some() {
+            state.secondary_shear = Some(self.side(&along.secondary, &self.sides.secondary_nodes, Vec3::zeros()));
+            state.main_shear = Some(self.side(&along.main, &self.sides.main_nodes, along.turning));
+        }
         state
+    }
+
+    /// Adds force · row of a point.
+    fn spread(&self, point: usize, row: &[f64], force: f64, forces: &mut Forces) {
+        let (mut row, p) = (row.iter(), &self.points[point]);
+        for (&n, place) in p.nodes.iter().zip(&self.places[point]) {
+            let is_main = n != p.node && self.sides.main_nodes.binary_search(&n).is_ok();
+            let at = if is_main { &mut forces.main } else { &mut forces.secondary }.entry(n).or_default();
+            let components = self.reference.as_ref().filter(|r| r.0 == n).map(|r| r.1.as_slice());
+            for (k, d) in row.by_ref().take(place.len()).enumerate() {
+                match components.map_or(k, |c| c[k]) {
+                    c @ 0..3 => at[c] += force * d,
+                    c => forces.turning[c - 3] += force * d,
+                }
+            }
+        }
     }
 
     /// What is to be said of an overclosure that a penalty leaves, where it is no longer small beside the facets.
@@ -146,7 +189,7 @@ impl Contact {
         (part > SMALL || layers >= 1.0).then_some(TooSoft { node, overclosure, part, layers })
     }
 
-    fn side(&self, forces: &Forces, nodes: &[u32], turning: Vec3) -> SideForce {
+    fn side(&self, forces: &BTreeMap<u32, Vec3>, nodes: &[u32], turning: Vec3) -> SideForce {
         let (mut force, mut moment, mut list) = (Vec3::zeros(), turning, Vec::with_capacity(nodes.len()));
         for &n in nodes {
             let f = forces.get(&n).copied().unwrap_or_default();
@@ -159,15 +202,23 @@ impl Contact {
 
     /// Results at all nodes of the secondary surface, ascending; mid-side nodes take the mean of their corners.
     pub fn node_values(&self, state: &ContactState) -> Vec<NodeValues> {
-        let none = |node| NodeValues { node, opening: None, pressure: 0.0, status: ContactStatus::Open, measure: 0.0 };
+        let open = ContactStatus::Open;
+        let none = |node| NodeValues {
+            node,
+            opening: None,
+            pressure: 0.0,
+            status: open,
+            shear: [0.0; 2],
+            slip: [0.0; 2],
+            measure: 0.0,
+        };
         let mut values: BTreeMap<u32, NodeValues> = self.secondary_nodes().iter().map(|&n| (n, none(n))).collect();
-        for p in &state.points {
-            let measure = p.measure.value();
-            let v =
-                NodeValues { opening: Some(p.opening), pressure: p.pressure, status: p.status, measure, node: p.node };
+        for &PointState { node, opening, pressure, status, shear, slip, measure } in &state.points {
+            let measure = measure.value();
+            let v = NodeValues { node, opening: Some(opening), pressure, status, shear, slip, measure };
             // Of several points of a node the one that presses most.
-            let at = values.entry(p.node).or_insert(v);
-            if at.opening.is_none() || (v.pressure, -p.opening) > (at.pressure, -at.opening.unwrap_or_default()) {
+            let at = values.entry(node).or_insert(v);
+            if at.opening.is_none() || (v.pressure, -opening) > (at.pressure, -at.opening.unwrap_or_default()) {
                 *at = v;
             }
         }
@@ -180,7 +231,10 @@ impl Contact {
                     let unlike = a.status != b.status;
                     let status = if unlike { self.respond(opening.unwrap_or_default()).1 } else { a.status };
                     let pressure = 0.5 * (a.pressure + b.pressure);
-                    values.insert(middle, NodeValues { node: middle, opening, pressure, status, measure: 0.0 });
+                    let mean = |a: [f64; 2], b: [f64; 2]| [0, 1].map(|i| 0.5 * (a[i] + b[i]));
+                    let (shear, slip) = (mean(a.shear, b.shear), mean(a.slip, b.slip));
+                    let (node, measure) = (middle, 0.0);
+                    values.insert(middle, NodeValues { node, opening, pressure, status, shear, slip, measure });
                 }
             }
         }

@@ -5,7 +5,7 @@
 use crate::facet::{Facet, Vec3};
 use crate::overlap::{FACING, Sides};
 use crate::rigid::RigidSurface;
-use crate::share::{Share, merge};
+use crate::share::{Row, Share, merge};
 use fe_mesh::quadrature::Rule;
 use rayon::prelude::*;
 use std::collections::BTreeMap;
@@ -65,8 +65,9 @@ pub fn deformable(sides: &Sides) -> Constraints {
         let meeting = sides.meeting(i);
         let corners = facet.corners();
         let mut shares: Vec<Share> = facet.nodes()[..corners].iter().map(|&n| Share::new(n)).collect();
-        let mut secondary = vec![[Vec3::zeros(); 4]; facet.nodes().len()];
-        let mut main: BTreeMap<u32, [Vec3; 4]> = BTreeMap::new();
+        let none = |node| [Row::new(node, &Vec3::zeros(), 0.0); 4];
+        let mut secondary: Vec<[Row; 4]> = facet.nodes().iter().map(|&n| none(n)).collect();
+        let mut main: BTreeMap<u32, [Row; 4]> = BTreeMap::new();
         for s in &meeting.samples {
             let (hats, values) = (facet.hats(s.secondary), facet.values(s.secondary));
             let opposite = &sides.main[s.main as usize];
@@ -77,19 +78,18 @@ pub fn deformable(sides: &Sides) -> Constraints {
                 shares[c].gap += weight * s.gap;
                 shares[c].normal += s.normal * weight;
                 for (row, value) in secondary.iter_mut().zip(values) {
-                    row[c] += s.normal * (weight * value);
+                    row[c].add(&s.normal, weight * value);
                 }
             }
             for (&n, value) in opposite.nodes().iter().zip(main_values) {
-                let row = main.entry(n).or_insert([Vec3::zeros(); 4]);
+                let row = main.entry(n).or_insert_with(|| none(n));
                 for c in 0..corners {
-                    row[c] -= s.normal * (s.weight * hats[c] * value);
+                    row[c].add(&s.normal, -(s.weight * hats[c] * value));
                 }
             }
         }
         for (c, share) in shares.iter_mut().enumerate() {
-            share.rows = facet.nodes().iter().zip(&secondary).map(|(&n, row)| (n, row[c])).collect();
-            share.rows.extend(main.iter().map(|(&n, row)| (n, row[c])));
+            share.rows = secondary.iter().chain(main.values()).map(|row| row[c]).collect();
         }
         shares.retain(|s| s.weight > 0.0);
         Constraints { shares, too_deep: meeting.too_deep, hidden: meeting.hidden }
@@ -128,14 +128,14 @@ pub fn rigid(facets: &[Facet], main: RigidSide, deepest: f64) -> Constraints {
                 let nearest = (0..corners).max_by(|&a, &b| hats[a].total_cmp(&hats[b])).unwrap_or(0);
                 part.deepen(Some((-at.gap, facet.nodes()[nearest])));
             }
-            let arm = x - normal * at.gap - main.position;
+            let arm = x - main.position;
             let area = vector.norm() * facet.factor(&x);
             for (share, hat) in shares.iter_mut().zip(hats) {
                 let weight = area * hat;
                 share.weight += weight;
                 share.gap += weight * at.gap;
                 share.normal += normal * weight;
-                share.rows.extend(facet.nodes().iter().zip(values).map(|(&n, v)| (n, normal * (weight * v))));
+                share.rows.extend(facet.nodes().iter().zip(values).map(|(&n, v)| Row::new(n, &normal, weight * v)));
                 share.add_rigid(main.reference, &normal, &arm, weight);
             }
         }

@@ -1,11 +1,13 @@
 //! Contact as a term of the virtual work: δW = −Σ A p(g) δg over its points.
 
 use crate::contact::Contact;
-use crate::enforce::{CLOSED, OPEN};
+use crate::enforce::{CLOSED, OPEN, SLIPPING};
 use crate::law::NormalResponse;
 use crate::point::{ContactPoint, ContactStatus, Kinematics, dot};
+use crate::slip::Along;
 use fe_core::term::{Equilibrium, Overlap};
 use fe_core::{Assembly, BlockMatrix, Couplings, Motion, Pattern, Reject, Term};
+use std::ops::Range;
 use std::sync::Arc;
 
 /// Where the points stand in matrices of one pattern.
@@ -66,6 +68,22 @@ impl Contact {
         let gap = self.opening(point, u);
         let sides = [gap - self.touch, gap + self.touch].map(|g| self.law.respond(g));
         sides.iter().any(|side| side.pressure > 0.0 && side.stiffness <= 0.0)
+    }
+
+    /// What acts along the surface of a point with this gap, pressure and status.
+    fn beside(
+        &self,
+        point: usize,
+        at: &Motion,
+        (here, pressure, status): (&Kinematics, f64, ContactStatus),
+        (old, new): (&[f64], &[f64]),
+    ) -> Option<Along<'_>> {
+        if self.tangential.is_none() || status == ContactStatus::Open {
+            return None;
+        }
+        let touches =
+            (here.gap + self.allowed(point, new) - self.shift(point, new) - self.law.reach()).abs() <= self.touch;
+        self.along(point, at, (pressure, touches), (old, new))
     }
 
     fn blocks(&self, pattern: &Arc<Pattern>) -> Arc<Blocks> {
@@ -138,15 +156,25 @@ impl Term for Contact {
                 return Err(Reject::NotFinite { place, node: Some(p.node as usize) });
             }
             let (answer, status) = self.answer(i, here.gap, new, self.is_held(i, old));
+            let along = self.beside(i, &at, (&here, answer.pressure, status), (old, new));
             let measure = p.measure.value();
             out.energy += answer.energy * measure;
-            let now = if status == ContactStatus::Open { OPEN } else { CLOSED };
+            let now = match Contact::status_of(status, along.as_ref()) {
+                ContactStatus::Open => OPEN,
+                ContactStatus::Closed => CLOSED,
+                ContactStatus::Slipping => SLIPPING,
+            };
             out.status_changes += usize::from(new[i] != now);
             new[i] = now;
+            self.keep(i, along.as_ref(), old, new);
             let force = answer.pressure * measure;
-            if force != 0.0 {
-                let freedoms = self.places[i].iter().cloned().flatten();
-                here.row.iter().zip(freedoms).for_each(|(d, f)| out.residual[f] -= force * d);
+            add(&here.row, -force, &self.places[i], out.residual);
+            for (row, shear) in along.iter().flat_map(|a| a.slide.rows.iter().zip(a.answer.shear)) {
+                add(row, shear * measure, &self.places[i], out.residual);
+            }
+            if let Some(along) = &along {
+                let [shear, elastic] = [along.answer.shear, along.answer.elastic];
+                out.energy += 0.5 * measure * self.stored(shear, elastic);
             }
             if let (Some(blocks), Some(stiffness)) = (&blocks, out.stiffness.as_deref_mut()) {
                 // A force along a direction that turns has a stiffness of its own: −N ∂²g/∂u².
@@ -155,10 +183,39 @@ impl Term for Contact {
                 for part in all.filter(|part| part.0 != 0.0) {
                     self.add_stiffness(i, part, blocks, stiffness);
                 }
+                for (factor, row) in along.iter().flat_map(Along::stiffness) {
+                    self.add_stiffness(i, (factor * measure, &row), blocks, stiffness);
+                }
             }
         }
         self.resist(&at, (old, new), blocks.as_deref(), out);
         Ok(())
+    }
+
+    fn couple(&self, at: Motion, (old, new): (&[f64], &[f64]), x: &[f64], y: &mut [f64]) -> bool {
+        if !self.acts() || self.tangential.as_ref().is_none_or(|t| t.law.is_symmetric()) {
+            return false;
+        }
+        let mut any = false;
+        for (i, p) in self.points.iter().enumerate() {
+            let (here, places) = (self.at(i, at.u), &self.places[i]);
+            let (answer, status) = self.answer(i, here.gap, new, self.is_held(i, old));
+            let Some(along) = self.beside(i, &at, (&here, answer.pressure, status), (old, new)) else { continue };
+            if !along.has_rest() {
+                continue;
+            }
+            any = true;
+            let pressing = -answer.stiffness * dot(&here.row, x, places);
+            let changes = along.rest(pressing, along.slide.slip(x, places));
+            for (row, change) in along.slide.rows.iter().zip(changes) {
+                add(row, change * p.measure.value(), places, y);
+            }
+        }
+        any
+    }
+
+    fn dissipated(&self, old: &[f64], new: &[f64]) -> f64 {
+        self.rubbed(old, new)
     }
 
     fn stiffen(&self, u: &[f64], stiffness: &mut BlockMatrix) -> bool {
@@ -175,7 +232,23 @@ impl Term for Contact {
                 self.add_stiffness(i, (lacking * p.measure.value(), &here.row), &blocks, stiffness);
                 done = true;
             }
+            let Some(tangential) = self.tangential.as_ref().filter(|_| status != ContactStatus::Open) else { continue };
+            // A point that slips holds nothing along the surface, and may yet come to stick.
+            let Some(slide) = p.slide_from(u, &self.places[i]) else { continue };
+            let own = tangential.law.stiffness(answer.pressure);
+            let factor = if own > 0.0 { own } else { self.law.typical_stiffness() };
+            for row in slide.rows.iter().filter(|row| !row.is_empty()) {
+                self.add_stiffness(i, (factor * p.measure.value(), row), &blocks, stiffness);
+                done = true;
+            }
         }
         done
+    }
+}
+
+/// Adds a force along a row.
+fn add(row: &[f64], force: f64, places: &[Range<usize>], residual: &mut [f64]) {
+    if force != 0.0 {
+        row.iter().zip(places.iter().cloned().flatten()).for_each(|(d, f)| residual[f] += force * d);
     }
 }

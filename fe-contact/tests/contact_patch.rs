@@ -88,6 +88,7 @@ fn deviation(patch: &Patch, enforcement: Enforcement) -> f64 {
         name: "I".into(),
         normal: NormalBehavior::Hard(enforcement),
         no_separation: false,
+        friction: None,
         measure: None,
     };
     let pair = Contact::of_pair(structure, &freedoms, &definition, &interaction).unwrap();

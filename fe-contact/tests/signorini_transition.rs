@@ -83,6 +83,7 @@ fn solve(element: ElementType, n: usize, discretization: Discretization, direct:
         name: "I".into(),
         normal: NormalBehavior::Hard(enforcement),
         no_separation: false,
+        friction: None,
         measure: None,
     };
     let pair = Contact::of_pair(&structure, &freedoms, &definition, &interaction).unwrap();

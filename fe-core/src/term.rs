@@ -79,6 +79,17 @@ pub trait Term: Send + Sync {
         false
     }
 
+    /// Adds C x to `y`, C being what the symmetric stiffness of [`Term::evaluate`] lacks of the derivative of the residual at
+    /// this motion and history (old, new); false where it lacks nothing.
+    fn couple(&self, _at: Motion, _history: (&[f64], &[f64]), _x: &[f64], _y: &mut [f64]) -> bool {
+        false
+    }
+
+    /// Work [F L] that an increment with this history, at its start and at its end, turned into heat.
+    fn dissipated(&self, _old: &[f64], _new: &[f64]) -> f64 {
+        0.0
+    }
+
     /// Adds stiffness at a displacement where the term acts with a force and without stiffness of its own, for Newton's
     /// method to find on from where nothing else holds; true when there was such a place.
     fn stiffen(&self, _u: &[f64], _stiffness: &mut BlockMatrix) -> bool {

@@ -41,7 +41,7 @@ pub struct Certificate {
 }
 
 /// Names and dimensions of the numbers that [`Certificate::row`] gives.
-pub const COLUMNS: [(&str, &str); 15] = [
+pub const COLUMNS: [(&str, &str); 16] = [
     ("residual", "1"),
     ("overclosure", "L"),
     ("tension", "F/L²"),
@@ -55,6 +55,7 @@ pub const COLUMNS: [(&str, &str); 15] = [
     ("imbalance", "1"),
     ("energy_solids", "F L"),
     ("energy_contact", "F L"),
+    ("energy_friction", "F L"),
     ("work", "F L"),
     ("energy_stabilization", "F L"),
 ];
@@ -104,7 +105,7 @@ impl Certificate {
             imbalance: ratio(sums.fold(0.0, f64::max), largest),
             energy: at.energy,
             stabilized: pairs.iter().map(|p| p.stabilized).sum(),
-            resultants: pairs.iter().map(|p| p.secondary.force).collect(),
+            resultants: pairs.iter().map(|p| p.total().0).collect(),
         }
     }
 
@@ -113,7 +114,8 @@ impl Certificate {
         let mut row = vec![self.residual, self.overclosure, self.tension, self.contact_share];
         row.extend(self.applied);
         row.extend(self.reaction);
-        row.extend([self.imbalance, self.energy.solids, self.energy.contact, self.energy.work, self.stabilized]);
+        let Energy { solids, contact, friction, work } = self.energy;
+        row.extend([self.imbalance, solids, contact, friction, work, self.stabilized]);
         row
     }
 
@@ -208,6 +210,9 @@ impl fmt::Display for RunCertificate {
             let warned = if share > LARGE_SHARE { "warning: " } else { "" };
             let taken = e(w.stabilized, 6);
             writeln!(out, "  stabilisation       {warned}{taken} taken by it, {share:.3} % of the stored energy")?;
+        }
+        if w.energy.friction > 0.0 {
+            writeln!(out, "  friction            {} turned into heat", e(w.energy.friction, 6))?;
         }
         let (cut, its, factors) = (self.cutbacks, self.iterations, self.factorisations);
         writeln!(out, "  effort              {its} iterations, {factors} factorisations, {cut} cutbacks")?;

@@ -2,7 +2,7 @@
 
 use crate::terms::Terms;
 use fe_contact::point::ContactStatus;
-use fe_contact::state::{ContactState, NodeValues};
+use fe_contact::state::{ContactState, NodeValues, SideForce};
 use fe_core::member::Uniaxial;
 use fe_core::procedure::Converged;
 use fe_core::solid::PointFields;
@@ -71,7 +71,14 @@ impl Source<'_> {
             ("CPRESS", _) => self.contact(|node| node.opening.map_or(f64::NAN, |_| node.pressure), f64::max),
             ("COPEN", _) => self.contact(|node| node.opening.unwrap_or(f64::NAN), f64::min),
             ("CSTATUS", _) => self.contact(|node| status(node.status), f64::max),
-            ("CNORMF", _) => self.contact_forces(),
+            ("CSHEAR1", _) => self.contact(|node| node.opening.map_or(f64::NAN, |_| node.shear[0]), larger),
+            ("CSHEAR2", _) => self.contact(|node| node.opening.map_or(f64::NAN, |_| node.shear[1]), larger),
+            ("CSLIP1", _) => self.contact(|node| node.opening.map_or(f64::NAN, |_| node.slip[0]), larger),
+            ("CSLIP2", _) => self.contact(|node| node.opening.map_or(f64::NAN, |_| node.slip[1]), larger),
+            ("CNORMF", _) => self.contact_forces(|state| vec![&state.secondary, &state.main]),
+            ("CSHEARF", _) => {
+                self.contact_forces(|state| state.secondary_shear.iter().chain(&state.main_shear).collect())
+            }
             (other, _) => unreachable!("the list of fields has no {other}"),
         }
     }
@@ -164,10 +171,10 @@ impl Source<'_> {
         out
     }
 
-    fn contact_forces(&self) -> Vec<f64> {
+    fn contact_forces<'s>(&'s self, sides: impl Fn(&'s ContactState) -> Vec<&'s SideForce>) -> Vec<f64> {
         let mut out = vec![f64::NAN; 3 * self.terms.structure.mesh.points.len()];
         for state in self.states {
-            for &(node, force) in state.secondary.nodes.iter().chain(&state.main.nodes) {
+            for &(node, force) in sides(state).into_iter().flat_map(|side| &side.nodes) {
                 for c in 0..3 {
                     let place = &mut out[3 * node as usize + c];
                     *place = if place.is_nan() { force[c] } else { *place + force[c] };
@@ -189,7 +196,12 @@ fn tensor_of(fields: &PointFields, tensor: Tensor) -> &[[f64; 6]] {
     if tensor == Tensor::Stress { &fields.stress } else { &fields.strain }
 }
 
-/// The number that stands for a status: 0 open, 1 closed, 2 slipping.
+/// The one of two that is larger in size; the number where the other is NaN.
+fn larger(a: f64, b: f64) -> f64 {
+    if b.is_nan() || a.abs() >= b.abs() { a } else { b }
+}
+
+/// The number that stands for a status: 0 open, 1 closed or sticking, 2 slipping.
 pub fn status(status: ContactStatus) -> f64 {
     match status {
         ContactStatus::Open => 0.0,

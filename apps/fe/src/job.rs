@@ -210,7 +210,7 @@ impl StepRun<'_, '_> {
                     let now =
                         Increment { at, attempt, step: self.number, certificate: &certificate, states: &states, fixed };
                     self.recorder.increment(self.terms, self.step, &now)?;
-                    let contact_force = states.iter().map(|s| norm(s.secondary.force)).sum();
+                    let contact_force = states.iter().map(|s| norm(s.total().0)).sum();
                     let step = self.number;
                     let convergence = &convergence;
                     let certificate = &certificate;

@@ -3,6 +3,7 @@
 use crate::approach::{FreeBody, in_words};
 use crate::terms::Terms;
 use fe_contact::contact::Contact;
+use fe_contact::friction::{Coefficient, Coulomb, Spring};
 use fe_contact::pair::Discretization;
 use fe_contact::redundant::redundant;
 use fe_contact::summary::{Means, Origin};
@@ -123,7 +124,10 @@ impl Plan {
         if history > 0 {
             let points: usize = terms.contacts.iter().map(|pair| pair.points.len()).sum();
             let multipliers = if history > points { ", a multiplier where there are any" } else { "" };
-            needs.push(("history".into(), format!("{history} numbers: a status for each point{multipliers}")));
+            let rubs = terms.contacts.iter().any(|pair| pair.friction().is_some());
+            let friction = if rubs { ", slip and shear where there is friction" } else { "" };
+            needs
+                .push(("history".into(), format!("{history} numbers: a status for each point{multipliers}{friction}")));
         }
         for body in free {
             let body_of = &terms.bodies[body.body];
@@ -216,7 +220,31 @@ fn contact_in_words(pair: &Contact) -> String {
         None => format!("softened, {}", pair.law().words(s.measure)),
     };
     let (name, points, number) = (pair.name(), s.points, s.measure.words());
-    format!("{name}: {how}, {points} points, {law}; the law's number is a {number}")
+    let friction = pair.friction().map_or(String::new(), |friction| friction_in_words(pair, friction));
+    format!("{name}: {how}, {points} points, {law}{friction}; the law's number is a {number}")
+}
+
+/// Friction with what sticking points give way by.
+fn friction_in_words(pair: &Contact, law: &Coulomb) -> String {
+    let Some((coefficient, largest)) = &law.limit else {
+        let how = if pair.sticks_exactly() { "held by multipliers" } else { "held by the penalty" };
+        return format!("; rough, {how}: closed points never slip");
+    };
+    let value = match coefficient {
+        Coefficient::Constant(value) => format!("μ = {value}"),
+        Coefficient::Table(_) => "μ by slip rate and pressure".into(),
+        Coefficient::Decay { rest, kinetic, decay } => {
+            format!("μ = {kinetic} + {} exp(−{decay} T/L γ̇)", rest - kinetic)
+        }
+    };
+    let most = largest.map_or(String::new(), |largest| {
+        format!(", the shear at most {largest} {}", pair.summary().measure.dimension())
+    });
+    let stick = match law.spring {
+        Spring::Slip(slip) => format!("sticking points give way by up to {slip:.6e} L"),
+        Spring::Stiffness(_) => "sticking points do not move (multipliers)".into(),
+    };
+    format!("; friction, {value}{most}, {stick}")
 }
 
 fn leaves_out(terms: &Terms, unknowns: usize) -> Vec<String> {
@@ -241,7 +269,13 @@ fn leaves_out(terms: &Terms, unknowns: usize) -> Vec<String> {
         if terms.contacts.iter().all(bare) {
             out.push("multipliers: a penalty or a law carries the contact".into());
         }
-        out.push("friction and an unsymmetric matrix: no interaction has friction".into());
+        if terms.contacts.iter().all(|pair| pair.friction().is_none()) {
+            out.push("friction and an unsymmetric matrix: no interaction has friction".into());
+        } else {
+            out.push(
+                "an unsymmetric matrix: what friction adds to the symmetric one is brought in by iteration".into(),
+            );
+        }
     }
     if terms.contacts.iter().all(|p| p.history() == 0) {
         out.push("history: no term has a state".into());

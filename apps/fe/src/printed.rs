@@ -49,8 +49,10 @@ impl Printed {
             }
             Quantity::Stress => self.tables.stresses(&table.set, time, &elements(source, table)),
             Quantity::Strain => self.tables.strains(&table.set, time, &elements(source, table)),
-            Quantity::ContactStress => self.tables.contact_stresses(time, &closed(source, |p| p.pressure)),
-            Quantity::ContactDisplacement => self.tables.contact_displacements(time, &closed(source, |p| p.opening)),
+            Quantity::ContactStress => self.tables.contact_stresses(time, &closed(source, |p| (p.pressure, p.shear))),
+            Quantity::ContactDisplacement => {
+                self.tables.contact_displacements(time, &closed(source, |p| (p.opening, p.slip)))
+            }
             Quantity::ContactForce { pair, part } => {
                 for (k, (found, state)) in source.terms.contacts.iter().zip(source.states).enumerate() {
                     if pair.is_none_or(|wanted| wanted == k) {
@@ -118,18 +120,25 @@ fn contact_elements(source: &Source, table: &Table, cells: &[CellId]) -> Vec<Ele
     rows
 }
 
-/// A number of the constraints that are closed, pair by pair.
-fn closed(source: &Source, value: impl Fn(&PointState) -> f64) -> Vec<ContactRow> {
+/// What acts across and along the constraints that are closed, pair by pair.
+fn closed(source: &Source, value: impl Fn(&PointState) -> (f64, [f64; 2])) -> Vec<ContactRow> {
     let labels = &source.terms.structure.mesh.point_labels;
     let points = source.states.iter().flat_map(|state| &state.points).filter(|p| p.status != ContactStatus::Open);
-    points.map(|p| ContactRow { node: labels[p.node as usize], values: [value(p), 0.0, 0.0] }).collect()
+    let row = |p: &PointState| {
+        let (across, [one, other]) = value(p);
+        ContactRow { node: labels[p.node as usize], values: [across, one, other] }
+    };
+    points.map(row).collect()
 }
 
-/// The resultant of a pair on its secondary side. Without friction the normal part is all of it.
+/// The resultant of a pair on its secondary side; without friction the normal part is all of it.
 fn pair_force(pair: &Contact, state: &ContactState, part: ForcePart, source: &Source) -> PairForce {
-    if part == ForcePart::Shear {
-        return PairForce::default();
-    }
+    let (force, moment) = match (part, &state.secondary_shear) {
+        (ForcePart::Total, _) => state.total(),
+        (ForcePart::Normal, _) => (state.secondary.force, state.secondary.moment),
+        (ForcePart::Shear, Some(shear)) => (shear.force, shear.moment),
+        (ForcePart::Shear, None) => return PairForce::default(),
+    };
     let points = &source.terms.structure.mesh.points;
     let (mut center, mut normal, mut weight) = ([0.0; 3], [0.0; 3], 0.0);
     for (point, now) in pair.points.iter().zip(&state.points).filter(|(_, now)| now.status != ContactStatus::Open) {
@@ -145,8 +154,8 @@ fn pair_force(pair: &Contact, state: &ContactState, part: ForcePart, source: &So
         center.iter_mut().for_each(|c| *c /= weight);
         normal.iter_mut().for_each(|n| *n /= size);
     }
-    let force = state.secondary.force;
-    let normal_force = (0..3).map(|c| force[c] * normal[c]).sum();
-    let (moment, area) = (state.secondary.moment, state.closed_area);
-    PairForce { force, moment, center, normal, area, normal_force, shear_force: 0.0 }
+    let normal_force: f64 = (0..3).map(|c| force[c] * normal[c]).sum();
+    let along = (0..3).map(|c| (force[c] - normal_force * normal[c]).powi(2)).sum::<f64>().sqrt();
+    let shear_force = if part == ForcePart::Normal || state.secondary_shear.is_none() { 0.0 } else { along };
+    PairForce { force, moment, center, normal, area: state.closed_area, normal_force, shear_force }
 }

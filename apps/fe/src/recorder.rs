@@ -181,8 +181,8 @@ fn sections_of_cells(terms: &Terms) -> Vec<u32> {
     body
 }
 
-/// The fields that any step asks for; all that make sense where none chooses. No contact field without a pair, no section force
-/// without a line.
+/// The fields that any step asks for; all that make sense where none chooses. No contact field without a pair, none of shear
+/// and slip without friction, no section force without a line.
 pub fn chosen_fields(model: &Model, terms: &Terms) -> Vec<FieldInfo> {
     let wanted = |field: &FieldInfo| {
         model.steps.iter().any(|step| match &step.output.fields {
@@ -192,9 +192,12 @@ pub fn chosen_fields(model: &Model, terms: &Terms) -> Vec<FieldInfo> {
     };
     let contact = |field: &FieldInfo| field.name.starts_with('C');
     let line = |field: &FieldInfo| matches!(field.name, "SF" | "SM");
-    let there =
-        |f: &&FieldInfo| !(contact(f) && terms.contacts.is_empty() || line(f) && terms.structure.lines.is_empty());
-    FIELDS.iter().filter(|f| wanted(f)).filter(there).copied().collect()
+    let along = |field: &FieldInfo| field.name.starts_with("CSHEAR") || field.name.starts_with("CSLIP");
+    let rubs = terms.contacts.iter().any(|pair| pair.friction().is_some());
+    let without = |f: &FieldInfo| {
+        contact(f) && terms.contacts.is_empty() || along(f) && !rubs || line(f) && terms.structure.lines.is_empty()
+    };
+    FIELDS.iter().filter(|f| wanted(f) && !without(f)).copied().collect()
 }
 
 /// Names of the pairs' histories: `/` and `.` cannot stand in them, and each is there once.
@@ -239,8 +242,9 @@ fn histories(terms: &Terms) -> Vec<HistoryInfo> {
 }
 
 fn pair_row(state: &ContactState) -> Vec<f64> {
-    let mut row = state.secondary.force.to_vec();
-    row.extend(state.secondary.moment);
+    let (force, moment) = state.total();
+    let mut row = force.to_vec();
+    row.extend(moment);
     row.extend([state.closed_area, state.largest_overclosure.map_or(0.0, |l| l.1)]);
     row
 }

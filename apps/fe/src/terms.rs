@@ -3,6 +3,7 @@
 use fe_contact::Contact;
 use fe_contact::adjust::{Moved, adjust};
 use fe_contact::conditions::{Activity, Conditions};
+use fe_contact::friction::slip;
 use fe_contact::pair::PairDefinition;
 use fe_contact::state::ContactState;
 use fe_core::Freedoms;
@@ -53,9 +54,11 @@ impl Terms {
             moves.iter().for_each(|m| points[m.node as usize] = m.to);
         }
         let freedoms = structure.freedoms(&model.references);
+        let (interactions, remarks) = slip::settle(&structure, &definitions, &model.interactions);
+        notes.extend(remarks);
         let mut contacts = Vec::new();
         for (k, (definition, _)) in model.pairs.iter().enumerate() {
-            let interaction = &model.interactions[definition.interaction];
+            let interaction = &interactions[definition.interaction];
             let pair = Contact::of_pair(&structure, &freedoms, definition, interaction)
                 .map_err(|e| format!("{}: {e}", place(k)))?;
             notes.extend(pair.notes().iter().map(|note| placed(note, &place(k))));

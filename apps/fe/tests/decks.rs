@@ -21,6 +21,7 @@ decks! {
     blocks_linear_s2s
     blocks_node_based
     blocks_penalty_fields
+    friction_cycle
     mesh_gmsh_blocks
     parts_assembly
     patch_c3d8

@@ -1,8 +1,9 @@
 //! Tests over whole pairs.
 
 mod far;
+mod friction;
 mod robustness;
-mod scene;
+pub mod scene;
 mod speed;
 mod transmission;
 mod unit_rule;

@@ -148,6 +148,7 @@ pub fn linear() -> Interaction {
         name: "I".into(),
         normal: NormalBehavior::Softened(Arc::new(law)),
         no_separation: false,
+        friction: None,
         measure: None,
     }
 }

@@ -4,6 +4,7 @@
 use super::scene::*;
 use crate::contact::Contact;
 use crate::facet::Vec3;
+use crate::interaction::Interaction;
 use crate::pair::Discretization;
 use crate::point::ContactStatus;
 use crate::rigid::{Piece, RigidSurface, Sweep};
@@ -21,16 +22,16 @@ fn curved() -> Scene {
     scene
 }
 
-fn deformable() -> (Scene, Freedoms, Contact) {
+pub fn deformable(interaction: &Interaction) -> (Scene, Freedoms, Contact) {
     let scene = curved();
     let pair =
         surfaces(scene.faces(0, |r| r[1] == 0.0), scene.faces(1, |r| r[1] == 1.0), Discretization::SurfaceToSurface);
-    let (freedoms, pair) = (scene.freedoms(), scene.pair(&pair, &linear()));
+    let (freedoms, pair) = (scene.freedoms(), scene.pair(&pair, interaction));
     (scene, freedoms, pair)
 }
 
 /// Against a rigid sphere whose reference node is off its centre.
-fn on_sphere(discretization: Discretization) -> (Scene, Freedoms, Contact) {
+pub fn on_sphere(discretization: Discretization, interaction: &Interaction) -> (Scene, Freedoms, Contact) {
     let mut scene = Scene::default();
     let element = if discretization == Discretization::SurfaceToSurface { C3D10 } else { C3D8 };
     scene.block(element, [3, 1, 3], |r| Vec3::new(r.x - 0.5, r.y - 0.02, r.z - 0.5));
@@ -44,7 +45,7 @@ fn on_sphere(discretization: Discretization) -> (Scene, Freedoms, Contact) {
     let mut pair = surfaces(scene.faces(0, |r| r[1] == 0.0), Vec::new(), discretization);
     pair.main = Main::Rigid { surface, reference };
     let freedoms = scene.structure.freedoms(&[reference]);
-    let pair = Contact::of_pair(&scene.structure, &freedoms, &pair, &linear()).unwrap();
+    let pair = Contact::of_pair(&scene.structure, &freedoms, &pair, interaction).unwrap();
     (scene, freedoms, pair)
 }
 
@@ -82,15 +83,19 @@ fn check_slopes((_, freedoms, pair): (Scene, Freedoms, Contact)) {
 
 #[test]
 fn force_and_stiffness_are_slopes() {
-    check_slopes(deformable());
-    check_slopes(on_sphere(Discretization::SurfaceToSurface));
-    check_slopes(on_sphere(Discretization::NodeToSurface));
+    check_slopes(deformable(&linear()));
+    check_slopes(on_sphere(Discretization::SurfaceToSurface, &linear()));
+    check_slopes(on_sphere(Discretization::NodeToSurface, &linear()));
 }
 
 /// u = a + θ × x of everything, the reference node turning too, changes no gap: action and reaction meet on one line.
 #[test]
 fn a_rigid_motion_of_all_changes_no_gap() {
-    let cases = [deformable(), on_sphere(Discretization::SurfaceToSurface), on_sphere(Discretization::NodeToSurface)];
+    let cases = [
+        deformable(&linear()),
+        on_sphere(Discretization::SurfaceToSurface, &linear()),
+        on_sphere(Discretization::NodeToSurface, &linear()),
+    ];
     for (scene, freedoms, pair) in cases {
         let (shift, turn) = (Vec3::new(0.3, -0.7, 0.2), Vec3::new(0.5, 0.4, -0.9));
         let u: Vec<f64> = (0..freedoms.len())
@@ -136,7 +141,7 @@ fn touching_is_closed_and_changes_are_counted() {
 fn any_number_of_threads_gives_the_same_bits() {
     let on = |threads| {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
-        pool.install(|| deformable().2.points)
+        pool.install(|| deformable(&linear()).2.points)
     };
     let one = on(1);
     assert!(one == on(2) && one == on(8));

@@ -44,6 +44,7 @@ pub trait LinearSolver: Send {
     fn cost(&self) -> Cost;
 }
 
+pub mod gmres;
 pub mod multifrontal;
 pub mod ordering;
 

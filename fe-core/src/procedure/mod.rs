@@ -35,6 +35,8 @@ pub struct Energy {
     pub solids: f64,
     /// Stored in all other terms (contact).
     pub contact: f64,
+    /// Turned into heat by friction, summed over the increments.
+    pub friction: f64,
     /// Work of loads and prescribed displacements, summed over the increments by the trapezoidal rule.
     pub work: f64,
 }

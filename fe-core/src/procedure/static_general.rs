@@ -5,6 +5,7 @@ use super::scale::Scale;
 use super::system::{Evaluation, Scene, System, dot};
 use super::{Converged, Convergence, Energy, Procedure, Seconds};
 use crate::increment::Attempt;
+use crate::linear::gmres::gmres;
 use crate::linear::{Cost, LinearSolver};
 use crate::matrix::{BlockMatrix, Pattern};
 use crate::reject::Reject;
@@ -28,6 +29,14 @@ const UNDERSHOOT: f64 = 0.9;
 
 /// Most augmentations of the multipliers of an increment (the decks' default).
 const AUGMENTATIONS: usize = 50;
+
+/// Residual of unsymmetric systems [-], of the right-hand side: not above what the factor itself leaves, so that Newton's
+/// method converges as fast as with a factor of the whole.
+const SOLVED: f64 = 1e-13;
+
+/// Directions kept in a search for their solution, and products in all.
+const RESTART: usize = 80;
+const PRODUCTS: usize = 400;
 
 /// Most evaluations of one line search.
 const SEARCHES: usize = 16;
@@ -137,11 +146,23 @@ impl<'a> StaticGeneral<'a> {
         Ok(())
     }
 
-    /// Solves K δ = −r, evaluated at `u`, on the free freedoms; the prescribed ones move by `given`. Returns δ and the
-    /// slope δ·r of the potential along it: 0 where a prescribed motion is carried, which is taken whole.
-    fn correction(&mut self, u: &[f64], mut evaluation: Evaluation, given: &[f64]) -> Result<(Vec<f64>, f64), Reject> {
+    /// What the tangent lacks at `u`, times x, added to y; false where it lacks nothing.
+    fn couple(&self, here: &Here, x: &[f64], y: &mut [f64]) -> bool {
+        let from = here.step.from;
+        let du: Vec<f64> = here.u.iter().zip(&from.u).map(|(a, b)| a - b).collect();
+        self.system.couple(here.step.motion(here.u, &du), (&from.history, here.new), x, y)
+    }
+
+    /// Solves K δ = −r on the free freedoms; the prescribed ones move by `given`. Returns δ and the slope δ·r of the
+    /// potential along it: 0 where a prescribed motion is carried, which is taken whole.
+    fn correction(
+        &mut self,
+        here: &Here,
+        mut evaluation: Evaluation,
+        given: &[f64],
+    ) -> Result<(Vec<f64>, f64), Reject> {
         let mut delta = given.to_vec();
-        self.factor(u, &mut evaluation)?;
+        self.factor(here.u, &mut evaluation)?;
         let Some(tangent) = evaluation.tangent.as_ref().or(self.system.linear.as_ref()) else {
             return Ok((delta, 0.0));
         };
@@ -151,7 +172,11 @@ impl<'a> StaticGeneral<'a> {
         if carries {
             tangent.multiply_add(given, &mut right);
         }
+        let coupled = self.couple(here, given, &mut right);
         right.iter_mut().zip(&evaluation.residual).for_each(|(b, r)| *b = -*b - r);
+        if coupled {
+            self.bring_in_couplings(here, &mut right);
+        }
         self.solver.solve(&mut right);
         delta.iter_mut().zip(&right).for_each(|(d, x)| *d += x);
         let factored = evaluation.tangent.map_or(Factored::Linear, Factored::Tangent);
@@ -163,6 +188,31 @@ impl<'a> StaticGeneral<'a> {
         Ok((delta, slope))
     }
 
+    /// Makes b of (S + C) δ = b into w of S δ = w, where S is what stands factored: w = b + r, (1 + C S⁻¹) r = −C S⁻¹ b. r
+    /// lives on the freedoms of contact alone, and so do the directions of the search for it.
+    fn bring_in_couplings(&self, here: &Here, right: &mut [f64]) {
+        let changing = &self.system.changing;
+        let freedoms = self.system.scene.freedoms;
+        let touched: Vec<usize> =
+            (0..right.len()).filter(|&f| here.step.free[f] && changing[freedoms.node(f)]).collect();
+        let product = |mut w: Vec<f64>| -> Vec<f64> {
+            self.solver.solve(&mut w);
+            let mut y = vec![0.0; w.len()];
+            self.couple(here, &w, &mut y);
+            touched.iter().map(|&f| y[f]).collect()
+        };
+        let begin: Vec<f64> = product(right.to_vec()).iter().map(|v| -v).collect();
+        let apply = |r: &[f64]| -> Vec<f64> {
+            let mut w = vec![0.0; right.len()];
+            touched.iter().zip(r).for_each(|(&f, r)| w[f] = *r);
+            product(w).iter().zip(r).map(|(c, r)| c + r).collect()
+        };
+        let tolerance = SOLVED * dot(right, right).sqrt();
+        let (r, residual) = gmres(apply, &begin, tolerance, (RESTART, PRODUCTS));
+        tracing::debug!(residual, tolerance, "couplings");
+        touched.iter().zip(r).for_each(|(&f, r)| right[f] += r);
+    }
+
     /// Goes along `delta`: all of it, unless the residual along it changes sign by too much, or hardly falls. The potential of a
     /// convex problem falls along a Newton step, so its slope has one zero. Newton's method finds it, between bounds
     /// that close in: from the stiff side, where contact has closed, it lands near the kink at once. Returns the
@@ -171,8 +221,7 @@ impl<'a> StaticGeneral<'a> {
         &mut self,
         step: &Increment,
         u: &mut [f64],
-        delta: &[f64],
-        slope: f64,
+        (delta, slope): (&[f64], f64),
         new: &mut Vec<Vec<f64>>,
     ) -> Result<(f64, Evaluation), Reject> {
         let start = u.to_vec();
@@ -200,6 +249,7 @@ impl<'a> StaticGeneral<'a> {
             let curvature = self.tangent(&now).map_or(0.0, |tangent| {
                 let mut product = vec![0.0; delta.len()];
                 tangent.multiply_add(delta, &mut product);
+                self.couple(&Here { step, u, new: &history }, delta, &mut product);
                 dot(delta, &product)
             });
             let next = length - here / curvature;
@@ -210,6 +260,12 @@ impl<'a> StaticGeneral<'a> {
     /// The tangent at an evaluation: its own, or that of the linear terms.
     fn tangent<'e>(&'e self, at: &'e Evaluation) -> Option<&'e BlockMatrix> {
         at.tangent.as_ref().or(self.system.linear.as_ref())
+    }
+
+    /// Turned into heat in an increment.
+    fn dissipated(&self, step: &Increment, new: &[Vec<f64>]) -> f64 {
+        let terms = self.system.scene.terms.iter().zip(&step.from.history).zip(new);
+        terms.map(|((term, old), new)| term.dissipated(old, new)).sum()
     }
 
     /// What an iteration left that moved by `length` · `delta` to `u`.
@@ -241,6 +297,14 @@ impl<'a> StaticGeneral<'a> {
             round_off: ROUND_OFF * scale.product,
         }
     }
+}
+
+/// Where an iteration stands.
+struct Here<'h> {
+    step: &'h Increment<'h>,
+    u: &'h [f64],
+    /// History that the evaluation there left.
+    new: &'h [Vec<f64>],
 }
 
 /// The fixed part of one increment.
@@ -278,10 +342,10 @@ impl Procedure for StaticGeneral<'_> {
         let mut newton = Newton::new(self.controls, self.mean_forces);
         let mut passes = 0;
         loop {
-            let (delta, slope) = self.correction(&u, now, &given)?;
+            let (delta, slope) = self.correction(&Here { step: &step, u: &u, new: &new }, now, &given)?;
             given.fill(0.0);
             let length;
-            (length, now) = self.search(&step, &mut u, &delta, slope, &mut new)?;
+            (length, now) = self.search(&step, &mut u, (&delta, slope), &mut new)?;
             let iterate = self.iterate(&step, &u, (length, &delta), &now);
             tracing::debug!(?iterate, length, "iteration");
             if newton.judge(&iterate)? == Verdict::Converged {
@@ -297,7 +361,8 @@ impl Procedure for StaticGeneral<'_> {
                     continue;
                 }
                 self.mean_forces = (self.mean_forces.0 + iterate.mean_force, self.mean_forces.1 + 1);
-                return Ok((converged(step, u, new, now), newton.convergence(&iterate)));
+                let dissipated = self.dissipated(&step, &new);
+                return Ok((converged(step, u, new, (now, dissipated)), newton.convergence(&iterate)));
             }
         }
     }
@@ -308,7 +373,7 @@ impl Procedure for StaticGeneral<'_> {
 }
 
 /// The accepted state.
-fn converged(step: Increment, u: Vec<f64>, history: Vec<Vec<f64>>, now: Evaluation) -> Converged {
+fn converged(step: Increment, u: Vec<f64>, history: Vec<Vec<f64>>, (now, dissipated): (Evaluation, f64)) -> Converged {
     let from = step.from;
     let mut work = from.energy.work;
     for (f, (end, start)) in u.iter().zip(&from.u).enumerate() {
@@ -320,7 +385,12 @@ fn converged(step: Increment, u: Vec<f64>, history: Vec<Vec<f64>>, now: Evaluati
     Converged {
         step_time: step.attempt.step_time,
         total_time: step.total_time(),
-        energy: Energy { solids: now.linear_energy, contact: now.nonlinear_energy, work },
+        energy: Energy {
+            solids: now.linear_energy,
+            contact: now.nonlinear_energy,
+            friction: from.energy.friction + dissipated,
+            work,
+        },
         u,
         residual: now.residual,
         external: step.external,

@@ -171,6 +171,15 @@ impl<'a> System<'a> {
         Ok(Evaluation { residual, nonlinear, tangent, linear_energy, nonlinear_energy, status_changes })
     }
 
+    /// Adds C x to `y`, C being what the tangent lacks at a motion with its history (old, new); false where it lacks nothing.
+    pub fn couple(&self, at: Motion, (old, new): (&[Vec<f64>], &[Vec<f64>]), x: &[f64], y: &mut [f64]) -> bool {
+        let mut any = false;
+        for (term, (old, new)) in self.scene.terms.iter().zip(old.iter().zip(new)) {
+            any |= term.couple(at, (old, new), x, y);
+        }
+        any
+    }
+
     /// Lets the terms stiffen a tangent that is singular; true when one did.
     pub fn stiffen(&self, u: &[f64], tangent: &mut BlockMatrix) -> bool {
         // Every term is asked, not only as far as the first that does.

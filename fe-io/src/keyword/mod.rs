@@ -13,6 +13,7 @@ mod contact_pair;
 pub(crate) mod controls;
 mod discrete;
 mod element;
+pub(crate) mod friction;
 mod gap;
 mod heading;
 mod idle;
@@ -67,6 +68,7 @@ pub const CARDS: &[&Keyword] = &[
     &amplitude::AMPLITUDE,
     &surface_interaction::SURFACE_INTERACTION,
     &surface_behavior::SURFACE_BEHAVIOR,
+    &friction::FRICTION,
     &contact_pair::CONTACT_PAIR,
     &gap::GAP,
     &clearance::CLEARANCE,

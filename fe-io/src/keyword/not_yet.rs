@@ -4,7 +4,6 @@
 pub(crate) const STATIC: &str = "static steps are there: `*STATIC`";
 const ELASTIC: &str = "isotropic elasticity is there: `*ELASTIC`";
 const PAIR: &str = "pairs of surfaces are there: `*CONTACT PAIR`";
-const FRICTIONLESS: &str = "contact is frictionless: leave the card out";
 const SOLIDS: &str =
     "solids and trusses are there by `*SOLID SECTION`, beams, springs and masses by cards of their names";
 const COMMON_NODES: &str = "give both bodies common nodes";
@@ -110,7 +109,7 @@ pub(super) const CARDS: &[(&[&str], &str)] = &[
         ],
         ELASTIC,
     ),
-    (&["FRICTION", "CHANGE FRICTION"], FRICTIONLESS),
+    (&["CHANGE FRICTION"], "the friction of `*FRICTION` holds in all steps"),
     (
         &[
             "INTERFACE",

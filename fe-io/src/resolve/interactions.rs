@@ -1,6 +1,7 @@
-//! `*SURFACE INTERACTION`, or the card of contact elements, with its `*SURFACE BEHAVIOR`.
+//! `*SURFACE INTERACTION`, or the card of contact elements, with its `*SURFACE BEHAVIOR` and its `*FRICTION`.
 
 use super::formula;
+use super::friction;
 use super::nodes::fields;
 use crate::deck::Deck;
 use crate::deck::card::{Card, normalized};
@@ -9,6 +10,7 @@ use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::keyword::check::Entry;
 use crate::keyword::row::{Row, of_law};
 use crate::keyword::{self, Field, Known, surface_behavior};
+use fe_contact::friction::Friction;
 use fe_contact::interaction::{Enforcement, Interaction, NormalBehavior, Penalty};
 use fe_contact::law::scale_factor::Scaling;
 use fe_contact::law::{Datum, LawDefinition, Laws, Lines, NormalLaw};
@@ -41,6 +43,8 @@ pub struct Interactions {
     cards: Vec<(&'static str, Span)>,
     /// Place of each one's `*SURFACE BEHAVIOR`.
     behaviors: Vec<Option<Span>>,
+    /// Place of each one's `*FRICTION`.
+    frictions: Vec<Option<Span>>,
 }
 
 impl Interactions {
@@ -53,15 +57,19 @@ impl Interactions {
                 all.begin(entry, deck, diagnostics);
                 continue;
             }
-            let behavior = behavior(entry, given, diagnostics);
-            let Some(parent) = parent(entry, deck) else {
-                let title = format!("`*SURFACE BEHAVIOR` stands under no {PARENTS_IN_WORDS}");
+            let of = parent(entry, deck);
+            if of.is_none() {
+                let title = format!("`*{}` stands under no {PARENTS_IN_WORDS}", entry.keyword.name);
                 diagnostics
                     .push(Diagnostic::error(entry.card.span, title).help("it follows the card that it describes"));
-                continue;
-            };
-            if let Some(i) = all.of_card(parent.span) {
-                all.describe(i, entry, behavior, diagnostics);
+            }
+            let of = of.and_then(|parent| all.of_card(parent.span));
+            if entry.keyword.name == "FRICTION" {
+                let friction = friction::read(entry, deck, diagnostics);
+                of.into_iter().for_each(|i| all.rub(i, entry, friction.clone(), diagnostics));
+            } else {
+                let behavior = behavior(entry, given, diagnostics);
+                of.into_iter().for_each(|i| all.describe(i, entry, behavior.clone(), diagnostics));
             }
         }
         all
@@ -79,9 +87,18 @@ impl Interactions {
         let line = deck.lines(entry.card).next().filter(|_| named);
         let measure = line.and_then(|line| Row::read(line, fields(entry), diagnostics).number(0));
         let normal = NormalBehavior::Hard(Enforcement::Usual);
-        self.list.push(Interaction { name, normal, no_separation: false, measure });
+        self.list.push(Interaction { name, normal, no_separation: false, friction: None, measure });
         self.cards.push((entry.keyword.name, entry.card.span));
         self.behaviors.push(None);
+        self.frictions.push(None);
+    }
+
+    fn rub(&mut self, i: usize, entry: &Entry<'_>, friction: Option<Friction>, diagnostics: &mut Diagnostics) {
+        if let Some(first) = self.frictions[i].replace(entry.card.span) {
+            let title = format!("interaction `{}` has two `*FRICTION`", self.list[i].name);
+            diagnostics.push(Diagnostic::error(entry.card.span, title).related(first, "first here"));
+        }
+        self.list[i].friction = friction;
     }
 
     fn describe(
@@ -117,14 +134,14 @@ impl Interactions {
     }
 }
 
-/// The card that a `*SURFACE BEHAVIOR` belongs to; other cards that describe contact may stand between.
+/// The card that a `*SURFACE BEHAVIOR` or a `*FRICTION` belongs to; other cards that describe contact may stand between.
 fn parent<'a>(entry: &Entry<'_>, deck: &'a Deck) -> Option<&'a Card> {
     let at = deck.cards.iter().position(|card| card.span == entry.card.span)?;
     for card in deck.cards[..at].iter().rev() {
         match keyword::find(&card.keyword) {
             Some(Known::Card(table)) if PARENTS.contains(&table.name) => return Some(card),
             Some(Known::NotYet("INTERFACE", _)) => return Some(card),
-            Some(Known::Card(table)) if table.name == "SURFACE BEHAVIOR" => {}
+            Some(Known::Card(table)) if ["SURFACE BEHAVIOR", "FRICTION"].contains(&table.name) => {}
             Some(Known::NotYet(..)) => {}
             _ => return None,
         }

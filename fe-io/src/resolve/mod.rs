@@ -14,6 +14,7 @@ mod discrete;
 mod elements;
 mod faces;
 mod formula;
+mod friction;
 mod interactions;
 mod interferences;
 mod labels;
@@ -74,7 +75,7 @@ pub fn resolve(deck: &Deck, library: &Library) -> Result<Model, Diagnostics> {
     bodies(&entries, &mut scene, &mut diagnostics);
     let amplitudes = Amplitudes::read(&named(&entries, &["AMPLITUDE"]), deck, &mut diagnostics);
     // How surfaces act on each other belongs to the model wherever it is written: once, whatever a part's instances.
-    let contact = named(&written, &["SURFACE INTERACTION", "GAP", "SURFACE BEHAVIOR"]);
+    let contact = named(&written, &["SURFACE INTERACTION", "GAP", "SURFACE BEHAVIOR", "FRICTION"]);
     let given = Given { deck, laws: &library.laws, size: size(&scene.structure) };
     let interactions = Interactions::read(&contact, given, &mut diagnostics);
     if scene.unread {

@@ -61,9 +61,24 @@ pub const FIELDS: &[FieldInfo] = &[
     with(TENSOR, field("E", "E", "1", "strain, tensor components, averaged at the node")),
     field("MISES", "MISES", "F/L²", "Mises stress of the averaged stress"),
     field("CPRESS", "CSTRESS", "F/L²", "contact pressure, positive when pressed; secondary nodes"),
+    field(
+        "CSHEAR1",
+        "CSTRESS",
+        "F/L²",
+        "shear by friction along t₁, against it on the secondary side; secondary nodes",
+    ),
+    field(
+        "CSHEAR2",
+        "CSTRESS",
+        "F/L²",
+        "shear by friction along t₂, against it on the secondary side; secondary nodes",
+    ),
     field("COPEN", "CDISP", "L", "contact gap, negative when overclosed; secondary nodes"),
-    field("CSTATUS", "CSTATUS", "1", "0 open, 1 closed, 2 slipping; secondary nodes"),
+    field("CSLIP1", "CDISP", "L", "slip along t₁ while closed; secondary nodes"),
+    field("CSLIP2", "CDISP", "L", "slip along t₂ while closed; secondary nodes"),
+    field("CSTATUS", "CSTATUS", "1", "0 open, 1 closed (with friction: sticking), 2 slipping; secondary nodes"),
     with(VECTOR, field("CNORMF", "CFORCE", "F", "force of the contact pressure on the node, both sides")),
+    with(VECTOR, field("CSHEARF", "CFORCE", "F", "force of friction on the node, both sides")),
     at_cells(with(TENSOR, field("S", "S", "F/L²", "stress, mean over the integration points"))),
     at_cells(with(TENSOR, field("E", "E", "1", "strain, tensor components, mean over the integration points"))),
     at_cells(field("MISES", "MISES", "F/L²", "Mises stress of the mean stress")),
@@ -93,7 +108,7 @@ mod tests {
     #[test]
     fn requests_stand_for_their_fields() {
         let names = |word| requested(word).iter().map(|f| f.name).collect::<Vec<_>>();
-        assert_eq!(names("cstress"), ["CPRESS"]);
+        assert_eq!(names("cstress"), ["CPRESS", "CSHEAR1", "CSHEAR2"]);
         assert_eq!(names("CPRESS"), ["CPRESS"]);
         assert_eq!(names("S"), ["S", "S"]);
         assert!(names("PRESS").is_empty());

@@ -1,0 +1,33 @@
+//! What carries friction: its words, and what carries the pressure, made into a law and its multipliers.
+
+use super::{Coulomb, Friction, Spring, Stick};
+use crate::carry::{Carried, Ground};
+use crate::enforce::Multipliers;
+use crate::slip::Tangential;
+use crate::summary::Means;
+
+impl Carried {
+    /// Where points stick exactly, the springs beneath the multipliers are those of the pressure, or a thousand times the
+    /// elements beneath. Rough points have multipliers unless a penalty alone carries the pressure.
+    pub(crate) fn friction(&self, friction: &Friction, ground: Ground) -> Tangential {
+        let stiff = self.multipliers.map(|m| m.slope).or(ground.stiffest());
+        let slope = stiff.unwrap_or_else(|| self.law.typical_stiffness());
+        let exact = Multipliers { slope, length: ground.length, allowed: self.multipliers.and_then(|m| m.allowed) };
+        match friction {
+            Friction::Rough => {
+                let penalty = self.penalty.filter(|p| p.means == Means::Penalty);
+                let spring = Spring::Stiffness(penalty.map_or(slope, |p| p.stiffness));
+                Tangential { law: Coulomb { limit: None, spring }, multipliers: penalty.is_none().then_some(exact) }
+            }
+            Friction::Coulomb { coefficient, largest, stick } => {
+                let length = if ground.length > 0.0 { ground.length } else { 1.0 };
+                let (spring, multipliers) = match stick {
+                    Stick::Lagrange => (Spring::Stiffness(slope), Some(exact)),
+                    Stick::ElasticSlip(slip) => (Spring::Slip(*slip), None),
+                    Stick::Tolerance(part) => (Spring::Slip(part * length), None),
+                };
+                Tangential { law: Coulomb { limit: Some((coefficient.clone(), *largest)), spring }, multipliers }
+            }
+        }
+    }
+}
