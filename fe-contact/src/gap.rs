@@ -70,7 +70,7 @@ impl GapDefinition {
         let coincident = || ElementFault::Coincident {
             element,
             kind: self.element.name(),
-            across: if cylinder { " across its axis" } else { "" },
+            coincide: if cylinder { "its nodes coincide across its axis" } else { "its nodes coincide" },
         };
         offset.apart(self.distance, measure, bodies).ok_or_else(coincident)
     }

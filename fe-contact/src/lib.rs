@@ -30,6 +30,7 @@ pub mod rigid;
 pub mod search;
 pub mod share;
 pub mod sides;
+pub mod slide_line;
 mod slip;
 pub mod state;
 pub mod stiffness;
@@ -40,6 +41,7 @@ pub mod tangents;
 mod term;
 #[cfg(test)]
 mod tests;
+pub mod tube;
 pub mod verify;
 pub mod viscous;
 

@@ -4,7 +4,7 @@ use crate::contact::Contact;
 use crate::enforce::SLIPPING;
 use crate::facet::Vec3;
 use crate::point::{ContactStatus, Measure};
-use crate::summary::{Means, Origin};
+use crate::summary::{Means, MeasureKind, Origin};
 use std::collections::BTreeMap;
 
 /// One point.
@@ -77,6 +77,8 @@ pub struct NodeValues {
     pub slip: [f64; 2],
     /// Area [L²] (or length) that it stands for; 0 at mid-side nodes and where it faces nothing.
     pub measure: f64,
+    /// What the law's number is.
+    pub kind: MeasureKind,
 }
 
 /// Overclosure of a penalty over the length of a facet up to which contact may be called hard [-].
@@ -211,11 +213,12 @@ impl Contact {
             shear: [0.0; 2],
             slip: [0.0; 2],
             measure: 0.0,
+            kind: self.summary.measure,
         };
         let mut values: BTreeMap<u32, NodeValues> = self.secondary_nodes().iter().map(|&n| (n, none(n))).collect();
         for &PointState { node, opening, pressure, status, shear, slip, measure } in &state.points {
-            let measure = measure.value();
-            let v = NodeValues { node, opening: Some(opening), pressure, status, shear, slip, measure };
+            let (kind, measure) = (MeasureKind::of(measure), measure.value());
+            let v = NodeValues { node, opening: Some(opening), pressure, status, shear, slip, measure, kind };
             // Of several points of a node the one that presses most.
             let at = values.entry(node).or_insert(v);
             if at.opening.is_none() || (v.pressure, -opening) > (at.pressure, -at.opening.unwrap_or_default()) {
@@ -233,8 +236,8 @@ impl Contact {
                     let pressure = 0.5 * (a.pressure + b.pressure);
                     let mean = |a: [f64; 2], b: [f64; 2]| [0, 1].map(|i| 0.5 * (a[i] + b[i]));
                     let (shear, slip) = (mean(a.shear, b.shear), mean(a.slip, b.slip));
-                    let (node, measure) = (middle, 0.0);
-                    values.insert(middle, NodeValues { node, opening, pressure, status, shear, slip, measure });
+                    let (node, measure, kind) = (middle, 0.0, a.kind);
+                    values.insert(middle, NodeValues { node, opening, pressure, status, shear, slip, measure, kind });
                 }
             }
         }

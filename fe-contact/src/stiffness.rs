@@ -52,8 +52,25 @@ pub fn at_points((structure, freedoms): (&Structure, &Freedoms), points: &[Conta
     (count > 0).then(|| sum / f64::from(count))
 }
 
-/// The same of all nodes of a model, without measure.
-pub fn anywhere((structure, freedoms): (&Structure, &Freedoms)) -> Option<f64> {
+/// The same; where no node of theirs has a stiffness, the mean of all nodes of the model, or 1, which is said.
+pub fn at_points_or_chosen(
+    bodies: (&Structure, &Freedoms),
+    points: &[ContactPoint],
+    (name, notes): (&str, &mut Vec<String>),
+) -> f64 {
+    at_points(bodies, points).unwrap_or_else(|| {
+        let chosen = anywhere(bodies).unwrap_or(1.0);
+        if !points.is_empty() {
+            notes.push(format!(
+                "no element gives the nodes of {name} a stiffness: {chosen:.6e} F/L stands for it in the penalty of hard \
+                 contact"
+            ));
+        }
+        chosen
+    })
+}
+
+fn anywhere((structure, freedoms): (&Structure, &Freedoms)) -> Option<f64> {
     let nodes: Vec<u32> = (0..structure.mesh.points.len() as u32).collect();
     let all = nodal_stiffness(structure, freedoms, &nodes);
     let (sum, count) = all.iter().filter(|k| **k > 0.0).fold((0.0, 0), |(sum, count), k| (sum + k, count + 1));

@@ -133,7 +133,7 @@ pub fn bodies(structure: &Structure, references: &[u32]) -> Vec<Body> {
         n
     }
     let mut used = vec![false; leader.len()];
-    references.iter().for_each(|&n| used[n as usize] = true);
+    references.iter().chain(&structure.slide_nodes).for_each(|&n| used[n as usize] = true);
     for (block, element) in structure.mesh.blocks.iter().zip(&structure.elements) {
         // Contact and dashpots hold nothing together.
         let family = element.family();

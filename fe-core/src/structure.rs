@@ -22,6 +22,8 @@ pub struct Structure {
     pub lines: Vec<LineSection>,
     /// Springs, dashpots and masses.
     pub discrete: Vec<Discrete>,
+    /// Nodes of slide lines, which have the freedoms of the elements that follow them.
+    pub slide_nodes: Vec<u32>,
 }
 
 impl Structure {
@@ -57,6 +59,8 @@ impl Structure {
         for (block, element) in self.mesh.blocks.iter().zip(&self.elements) {
             block.nodes.iter().for_each(|&n| masks[n as usize] |= element.freedoms(dimension));
         }
+        let translations = (1 << dimension) - 1;
+        self.slide_nodes.iter().for_each(|&n| masks[n as usize] |= translations);
         for section in self.discrete.iter().filter(|s| s.element.freedoms(dimension) == 0) {
             for &cell in &section.cells {
                 let nodes = self.mesh.cell(cell).iter().zip(section.components);

@@ -4,6 +4,7 @@ use fe_contact::conditions::Conditions;
 use fe_contact::gap::GapDefinition;
 use fe_contact::interaction::Interaction;
 use fe_contact::pair::PairDefinition;
+use fe_contact::tube::TubeDefinition;
 use fe_core::amplitude::Amplitude;
 use fe_core::load::{Load, Support};
 use fe_core::step::{Controls, Increments};
@@ -34,6 +35,8 @@ pub struct Model {
     pub pairs: Vec<(PairDefinition, Place)>,
     /// Gap elements, each with the place of its card.
     pub gaps: Vec<(GapDefinition, Place)>,
+    /// Tube-to-tube elements, each with the place of its card.
+    pub tubes: Vec<(TubeDefinition, Place)>,
     /// Reference nodes of rigid bodies, ascending.
     pub references: Vec<u32>,
     /// Supports of the model data: they hold from the start.

@@ -3,6 +3,7 @@
 use crate::terms::Terms;
 use fe_contact::point::ContactStatus;
 use fe_contact::state::{ContactState, NodeValues, SideForce};
+use fe_contact::summary::MeasureKind;
 use fe_core::member::Uniaxial;
 use fe_core::procedure::Converged;
 use fe_core::solid::PointFields;
@@ -40,6 +41,16 @@ pub fn needs_recovery(field: &FieldInfo) -> bool {
     matches!(field.name, "S" | "E" | "MISES")
 }
 
+/// What the law's number is where a field holds it.
+pub fn measure_of(name: &str) -> Option<MeasureKind> {
+    match name {
+        "CPRESS" => Some(MeasureKind::Pressure),
+        "CPRESS_LENGTH" => Some(MeasureKind::ForcePerLength),
+        "CPRESS_FORCE" => Some(MeasureKind::Force),
+        _ => None,
+    }
+}
+
 /// What the fields of one frame are made of.
 pub struct Source<'a> {
     /// Terms.
@@ -68,7 +79,10 @@ impl Source<'_> {
             ("MISES", Location::Cell) => self.cells(Tensor::Stress).iter().map(mises).collect(),
             ("SF", _) => self.section_forces(0),
             ("SM", _) => self.section_forces(3),
-            ("CPRESS", _) => self.contact(|node| node.opening.map_or(f64::NAN, |_| node.pressure), f64::max),
+            (name, _) if measure_of(name).is_some() => {
+                let there = |node: &&NodeValues| node.opening.is_some() && Some(node.kind) == measure_of(name);
+                self.contact(|node| Some(node).filter(there).map_or(f64::NAN, |node| node.pressure), f64::max)
+            }
             ("COPEN", _) => self.contact(|node| node.opening.unwrap_or(f64::NAN), f64::min),
             ("CSTATUS", _) => self.contact(|node| status(node.status), f64::max),
             ("CSHEAR1", _) => self.contact(|node| node.opening.map_or(f64::NAN, |_| node.shear[0]), larger),

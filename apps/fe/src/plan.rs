@@ -99,6 +99,7 @@ impl Plan {
         for pair in terms.contacts.iter().filter(|pair| pair.acts() && !pair.points.is_empty()) {
             let subject = match pair.summary().origin {
                 Origin::Pair(_) => "contact pair",
+                Origin::Elements(element) if element.family() == Family::Tube => "tube elements",
                 Origin::Elements(_) => "gap elements",
             };
             needs.push((subject.into(), contact_in_words(pair)));
@@ -262,7 +263,7 @@ fn leaves_out(terms: &Terms, unknowns: usize) -> Vec<String> {
     } else {
         if met.iter().all(|p| p.summary().searched.is_none()) {
             let pairs = met.iter().any(|p| p.has_rigid_main());
-            let why = if pairs { "every main surface is rigid" } else { "gap elements name their nodes" };
+            let why = if pairs { "every main surface is rigid" } else { "contact elements name their nodes" };
             out.push(format!("contact search: {why}"));
         }
         let bare = |p: &Contact| p.summary().penalty.is_none_or(|penalty| penalty.means == Means::Penalty);

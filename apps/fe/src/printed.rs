@@ -4,6 +4,8 @@ use crate::fields::Source;
 use fe_contact::contact::Contact;
 use fe_contact::point::ContactStatus;
 use fe_contact::state::{ContactState, PointState};
+use fe_contact::summary::Origin;
+use fe_core::element::Family;
 use fe_io::model::{ForcePart, Quantity, Table};
 use fe_io::results::ResultsError;
 use fe_io::results::table::{ContactRow, ElementRow, PairForce, Tables};
@@ -106,14 +108,16 @@ fn elements(source: &Source, table: &Table) -> Vec<ElementRow> {
     rows
 }
 
-/// The normal force over the area, or the gap, of the contact elements of a set.
+/// The normal force over the area, or the gap (of tubes the overclosure), of the contact elements of a set.
 fn contact_elements(source: &Source, table: &Table, cells: &[CellId]) -> Vec<ElementRow> {
     let mesh = &source.terms.structure.mesh;
     let mut rows = Vec::new();
     for (contact, state) in source.terms.contacts.iter().zip(source.states) {
         let of_set = contact.cells.iter().zip(&state.points).filter(|(cell, _)| cells.binary_search(cell).is_ok());
+        let tubes = matches!(contact.summary().origin, Origin::Elements(element) if element.family() == Family::Tube);
         rows.extend(of_set.map(|(cell, point)| {
-            let normal = if table.quantity == Quantity::Stress { point.pressure } else { point.opening };
+            let strain = if tubes { -point.opening } else { point.opening };
+            let normal = if table.quantity == Quantity::Stress { point.pressure } else { strain };
             ElementRow { element: mesh.cell_label(*cell), point: 1, values: [normal, 0.0, 0.0, 0.0, 0.0, 0.0] }
         }));
     }

@@ -1,10 +1,11 @@
 //! Writes a job's results: frames and histories of the results file, and the printed tables.
 
 use crate::certificate::{COLUMNS, Certificate, RunCertificate};
-use crate::fields::{Recovered, Source, needs_recovery};
+use crate::fields::{Recovered, Source, measure_of, needs_recovery};
 use crate::printed::{self, Printed};
 use crate::terms::Terms;
 use fe_contact::state::ContactState;
+use fe_contact::summary::MeasureKind;
 use fe_core::increment::Attempt;
 use fe_core::procedure::Converged;
 use fe_io::Model;
@@ -181,8 +182,8 @@ fn sections_of_cells(terms: &Terms) -> Vec<u32> {
     body
 }
 
-/// The fields that any step asks for; all that make sense where none chooses. No contact field without a pair, none of shear
-/// and slip without friction, no section force without a line.
+/// The fields that any step asks for; all that make sense where none chooses. No contact field without a contact, none of a
+/// kind of number that no point has, none of shear and slip without friction, no section force without a line.
 pub fn chosen_fields(model: &Model, terms: &Terms) -> Vec<FieldInfo> {
     let wanted = |field: &FieldInfo| {
         model.steps.iter().any(|step| match &step.output.fields {
@@ -197,7 +198,13 @@ pub fn chosen_fields(model: &Model, terms: &Terms) -> Vec<FieldInfo> {
     let without = |f: &FieldInfo| {
         contact(f) && terms.contacts.is_empty() || along(f) && !rubs || line(f) && terms.structure.lines.is_empty()
     };
-    FIELDS.iter().filter(|f| wanted(f) && !without(f)).copied().collect()
+    let has = |kind: MeasureKind| {
+        let mut points = terms.contacts.iter().flat_map(|contact| &contact.points);
+        let first = terms.contacts.first().is_some_and(|contact| contact.summary().measure == kind);
+        first || points.any(|point| MeasureKind::of(point.measure) == kind)
+    };
+    let measured = |field: &FieldInfo| measure_of(field.name).is_none_or(has);
+    FIELDS.iter().filter(|f| wanted(f) && measured(f) && !without(f)).copied().collect()
 }
 
 /// Names of the pairs' histories: `/` and `.` cannot stand in them, and each is there once.

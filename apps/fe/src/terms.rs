@@ -29,7 +29,7 @@ pub struct Terms {
     pub solids: Vec<SolidBlock>,
     /// Trusses and beams, one for each section, then springs.
     pub members: Vec<Members>,
-    /// Contact pairs, then gap elements, each in the deck's order.
+    /// Contact pairs, then gap and tube elements, each in the deck's order.
     pub contacts: Vec<Contact>,
     /// Connected bodies.
     pub bodies: Vec<Body>,
@@ -70,6 +70,14 @@ impl Terms {
                 .map_err(|e| format!("{}:{}: {e}", place.file, place.line))?;
             notes.extend(gaps.notes().iter().cloned());
             contacts.push(gaps);
+        }
+        for (definition, place) in &model.tubes {
+            let interaction = &model.interactions[definition.interaction];
+            let at = format!("{}:{}", place.file, place.line);
+            let tubes = Contact::of_tubes((&structure, &freedoms), definition, interaction);
+            let tubes = tubes.map_err(|e| format!("{at}: {e}"))?;
+            notes.extend(tubes.notes().iter().map(|note| placed(note, &at)));
+            contacts.push(tubes);
         }
         let search_seconds = start.elapsed().as_secs_f64();
         let mut solids = Vec::new();

@@ -21,13 +21,26 @@ decks! {
     blocks_linear_s2s
     blocks_node_based
     blocks_penalty_fields
+    crossing_beams
     friction_cycle
+    gap_area
+    gap_augmented
+    gap_cylinder
+    gap_exponential
+    gap_hard
+    gap_hard_penalty
+    gap_linear
+    gap_no_separation
+    gap_sphere
+    gap_tabular
+    itt31_pipes
     mesh_gmsh_blocks
     parts_assembly
     patch_c3d8
     plane_stress_linear
     pressfit_axisymmetric
     thick_cylinder
+    unit_rule
 }
 
 /// One `** expect` line: `table [SET] [label] comp N [at t=T]: value +- relative rel [+- absolute]`.
@@ -42,14 +55,19 @@ struct Expectation {
     absolute: f64,
 }
 
-const TABLES: [&str; 5] =
-    ["total force", "contact stress", "relative contact displacement", "displacements", "stresses"];
+const TABLES: [&str; 6] =
+    ["total force", "forces", "contact stress", "relative contact displacement", "displacements", "stresses"];
 
 fn expectation(line: &str) -> Option<Expectation> {
     let text = line.strip_prefix("** expect")?.trim();
     let table = TABLES.into_iter().find(|t| text.starts_with(t))?;
     let (what, numbers) = text[table.len()..].split_once(": ").unwrap();
-    let words: Vec<&str> = what.split_whitespace().collect();
+    // `on SET (what its number is)`.
+    let what = match (what.find('('), what.find(')')) {
+        (Some(start), Some(end)) => format!("{}{}", &what[..start], &what[end + 1..]),
+        _ => what.to_owned(),
+    };
+    let words: Vec<&str> = what.split_whitespace().filter(|word| *word != "on").collect();
     let comp = words.iter().position(|w| *w == "comp").unwrap();
     let number = |text: &str| text.trim().trim_end_matches("rel").trim().parse::<f64>().unwrap();
     let mut parts = numbers.split("+-");

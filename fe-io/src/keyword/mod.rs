@@ -72,6 +72,8 @@ pub const CARDS: &[&Keyword] = &[
     &contact_pair::CONTACT_PAIR,
     &gap::GAP,
     &clearance::CLEARANCE,
+    &gap::INTERFACE,
+    &gap::SLIDE_LINE,
     &boundary::BOUNDARY,
     &step::STEP,
     &procedure::STATIC,

@@ -112,8 +112,6 @@ pub(super) const CARDS: &[(&[&str], &str)] = &[
     (&["CHANGE FRICTION"], "the friction of `*FRICTION` holds in all steps"),
     (
         &[
-            "INTERFACE",
-            "SLIDE LINE",
             "CONTACT",
             "CONTACT INCLUSIONS",
             "CONTACT EXCLUSIONS",

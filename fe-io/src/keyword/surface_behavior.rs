@@ -3,7 +3,7 @@ use super::{Choice, Data, DataLine, Field, Keyword, Kind, Level, Parameter};
 pub const SURFACE_BEHAVIOR: Keyword = Keyword {
     name: "SURFACE BEHAVIOR",
     level: Level::Part,
-    summary: "pressure against overclosure, under *SURFACE INTERACTION or *GAP",
+    summary: "pressure against overclosure, under *SURFACE INTERACTION, *GAP or *INTERFACE",
     parameters: &[
         Parameter::of(
             "PRESSURE-OVERCLOSURE",

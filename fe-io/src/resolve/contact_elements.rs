@@ -1,4 +1,4 @@
-//! `*GAP`.
+//! `*GAP`, and what it has in common with `*INTERFACE`.
 
 use super::interactions::Interactions;
 use super::nodes::fields;
@@ -43,25 +43,40 @@ pub fn gaps(
         }
         _ => {}
     }
-    let interaction = interactions.of_card(entry.card.span)?;
+    let interaction = interaction(entry, interactions, diagnostics)?;
     let gaps = GapDefinition { name, element, cells, distance, direction, area: row.number(4), interaction };
     gaps.check(&scene.structure).map_err(|fault| refuse(entry, fault, scene, diagnostics)).ok()?;
     Some((gaps, place(entry, scene)))
 }
 
+/// The interaction of a card of contact elements; friction is refused.
+pub fn interaction(entry: &Entry<'_>, interactions: &Interactions, diagnostics: &mut Diagnostics) -> Option<usize> {
+    let index = interactions.of_card(entry.card.span)?;
+    if interactions.list[index].friction.is_some() {
+        let title = format!("`*FRICTION` under `*{}` is not there yet", entry.keyword.name);
+        diagnostics.push(Diagnostic::error(entry.card.span, title).help("contact elements slide freely: leave it out"));
+    }
+    Some(index)
+}
+
 /// An element that stands for no constraint, at its own line.
-fn refuse(entry: &Entry<'_>, (cell, fault): (CellId, ElementFault), scene: &Scene<'_>, diagnostics: &mut Diagnostics) {
+pub fn refuse(
+    entry: &Entry<'_>,
+    (cell, fault): (CellId, ElementFault),
+    scene: &Scene<'_>,
+    diagnostics: &mut Diagnostics,
+) {
     let at = scene.place_of(cell).unwrap_or(entry.card.span);
     let fault = Diagnostic::error(at, fault.to_string());
     diagnostics.push(fault.related(entry.card.span, "what is given for it"));
 }
 
-fn place(entry: &Entry<'_>, scene: &Scene<'_>) -> Place {
+pub fn place(entry: &Entry<'_>, scene: &Scene<'_>) -> Place {
     scene.deck.sources[entry.card.span.source as usize].place(entry.card.span.start)
 }
 
 /// Name, type and elements of the set, all of one type and family.
-fn elements(
+pub fn elements(
     entry: &Entry<'_>,
     family: Family,
     scene: &Scene<'_>,
@@ -87,7 +102,7 @@ fn elements(
 }
 
 /// The one data line of a card.
-fn one_line<'a>(entry: &Entry<'a>, scene: &Scene<'a>, diagnostics: &mut Diagnostics) -> Option<Row<'a>> {
+pub fn one_line<'a>(entry: &Entry<'a>, scene: &Scene<'a>, diagnostics: &mut Diagnostics) -> Option<Row<'a>> {
     let mut lines = scene.deck.lines(entry.card);
     let star = entry.keyword.name;
     let Some(line) = lines.next() else {

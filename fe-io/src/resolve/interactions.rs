@@ -31,8 +31,8 @@ pub struct Given<'a> {
 /// The card that gives an interaction a name.
 const NAMED: &str = "SURFACE INTERACTION";
 /// The cards that describe contact, with those that follow them.
-const PARENTS: [&str; 2] = [NAMED, "GAP"];
-const PARENTS_IN_WORDS: &str = "`*SURFACE INTERACTION` or `*GAP`";
+const PARENTS: [&str; 3] = [NAMED, "GAP", "INTERFACE"];
+const PARENTS_IN_WORDS: &str = "`*SURFACE INTERACTION`, `*GAP` or `*INTERFACE`";
 
 /// The interactions of a model.
 #[derive(Debug, Default)]
@@ -140,7 +140,6 @@ fn parent<'a>(entry: &Entry<'_>, deck: &'a Deck) -> Option<&'a Card> {
     for card in deck.cards[..at].iter().rev() {
         match keyword::find(&card.keyword) {
             Some(Known::Card(table)) if PARENTS.contains(&table.name) => return Some(card),
-            Some(Known::NotYet("INTERFACE", _)) => return Some(card),
             Some(Known::Card(table)) if ["SURFACE BEHAVIOR", "FRICTION"].contains(&table.name) => {}
             Some(Known::NotYet(..)) => {}
             _ => return None,

@@ -36,6 +36,7 @@ mod sets;
 mod steps;
 mod supports;
 mod surfaces;
+mod tubes;
 mod which_pair;
 
 use crate::deck::Deck;
@@ -52,6 +53,7 @@ use scene::Scene;
 use std::sync::Arc;
 use steps::{InForce, Named};
 use supports::Supports;
+use tubes::Tubes;
 
 /// What decks may name beyond the cards.
 #[derive(Clone, Debug)]
@@ -72,10 +74,11 @@ pub fn resolve(deck: &Deck, library: &Library) -> Result<Model, Diagnostics> {
     let written = check(deck, &library.laws, &mut diagnostics);
     let mut scene = Scene::new(deck);
     let entries = parts::placed(&written, &mut scene, &mut diagnostics);
-    bodies(&entries, &mut scene, &mut diagnostics);
+    let mut tubes = Tubes::default();
+    bodies(&entries, (&mut scene, &mut tubes), &mut diagnostics);
     let amplitudes = Amplitudes::read(&named(&entries, &["AMPLITUDE"]), deck, &mut diagnostics);
     // How surfaces act on each other belongs to the model wherever it is written: once, whatever a part's instances.
-    let contact = named(&written, &["SURFACE INTERACTION", "GAP", "SURFACE BEHAVIOR", "FRICTION"]);
+    let contact = named(&written, &["SURFACE INTERACTION", "GAP", "INTERFACE", "SURFACE BEHAVIOR", "FRICTION"]);
     let given = Given { deck, laws: &library.laws, size: size(&scene.structure) };
     let interactions = Interactions::read(&contact, given, &mut diagnostics);
     if scene.unread {
@@ -91,6 +94,9 @@ pub fn resolve(deck: &Deck, library: &Library) -> Result<Model, Diagnostics> {
     });
     each(&entries, &["CLEARANCE"], &mut scene, |entry, scene| {
         clearances::read(entry, scene, &mut contact_pairs, &mut diagnostics);
+    });
+    each(&entries, &["INTERFACE"], &mut scene, |entry, scene| {
+        tubes.elements(entry, scene, &interactions, &mut diagnostics);
     });
     let mut supports = Supports::default();
     for entry in entries.iter().filter(|entry| entry.step.is_none() && entry.keyword.name == "BOUNDARY") {
@@ -117,6 +123,7 @@ pub fn resolve(deck: &Deck, library: &Library) -> Result<Model, Diagnostics> {
         interactions: interactions.list,
         pairs: contact_pairs,
         gaps,
+        tubes: tubes.list,
         references,
         supports: supports.items,
         steps,
@@ -151,7 +158,7 @@ fn each<'a>(
 }
 
 /// Nodes, elements, sets, surfaces, materials, sections.
-fn bodies<'a>(entries: &[Entry<'a>], scene: &mut Scene<'a>, diagnostics: &mut Diagnostics) {
+fn bodies<'a>(entries: &[Entry<'a>], (scene, tubes): (&mut Scene<'a>, &mut Tubes), diagnostics: &mut Diagnostics) {
     if scene.unread {
         return;
     }
@@ -183,6 +190,8 @@ fn bodies<'a>(entries: &[Entry<'a>], scene: &mut Scene<'a>, diagnostics: &mut Di
     sections::read(&named(entries, &cards), &materials, scene, diagnostics);
     // Springs give their nodes freedoms by their sections.
     scene.incomplete |= diagnostics.faults() > before && !scene.structure.discrete.is_empty();
+    each(entries, &["SLIDE LINE"], scene, |entry, scene| tubes.line(entry, scene, diagnostics));
+    scene.structure.slide_nodes = tubes.nodes();
     quality::freedoms(scene, diagnostics);
 }
 

@@ -22,6 +22,7 @@ pub const CARDS: &[(&str, &[Family])] = &[
     ("DASHPOT", &[Family::Dashpot]),
     ("MASS", &[Family::Mass]),
     ("GAP", &[Family::Gap]),
+    ("INTERFACE", &[Family::Tube]),
 ];
 
 /// Reads all of them; elements without one are told.
@@ -112,7 +113,7 @@ fn section(
         }
         "BEAM GENERAL SECTION" => beams::read_general(entry, of_type, scene, diagnostics),
         // Read with the contact.
-        "GAP" => {}
+        "GAP" | "INTERFACE" => {}
         _ => discrete::read(entry, of_type, scene, diagnostics),
     }
 }

@@ -103,7 +103,7 @@ fn of_elements(entry: &Entry<'_>, scene: &Scene<'_>, diagnostics: &mut Diagnosti
 
 /// `GENERATE`: first, last, step; the indices of these labels. Labels that are not there are left out, which is
 /// remarked.
-fn generated(entry: &Entry<'_>, line: Line<'_>, labels: &Labels, diagnostics: &mut Diagnostics) -> Vec<u32> {
+pub fn generated(entry: &Entry<'_>, line: Line<'_>, labels: &Labels, diagnostics: &mut Diagnostics) -> Vec<u32> {
     let row = Row::read(line, line_fields(entry, 1), diagnostics);
     let (Some(first), Some(last), true) = (row.whole(0), row.whole(1), row.sound) else { return Vec::new() };
     let step = row.whole(2).unwrap_or(1);

@@ -61,6 +61,8 @@ pub const FIELDS: &[FieldInfo] = &[
     with(TENSOR, field("E", "E", "1", "strain, tensor components, averaged at the node")),
     field("MISES", "MISES", "F/L²", "Mises stress of the averaged stress"),
     field("CPRESS", "CSTRESS", "F/L²", "contact pressure, positive when pressed; secondary nodes"),
+    field("CPRESS_LENGTH", "CSTRESS", "F/L", "contact force per length, positive when pressed; nodes of lines"),
+    field("CPRESS_FORCE", "CSTRESS", "F", "contact force, positive when pressed; secondary nodes without area"),
     field(
         "CSHEAR1",
         "CSTRESS",
@@ -108,7 +110,7 @@ mod tests {
     #[test]
     fn requests_stand_for_their_fields() {
         let names = |word| requested(word).iter().map(|f| f.name).collect::<Vec<_>>();
-        assert_eq!(names("cstress"), ["CPRESS", "CSHEAR1", "CSHEAR2"]);
+        assert_eq!(names("cstress"), ["CPRESS", "CPRESS_LENGTH", "CPRESS_FORCE", "CSHEAR1", "CSHEAR2"]);
         assert_eq!(names("CPRESS"), ["CPRESS"]);
         assert_eq!(names("S"), ["S", "S"]);
         assert!(names("PRESS").is_empty());
