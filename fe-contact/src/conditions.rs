@@ -80,12 +80,18 @@ impl Contact {
         }
         // The same stiffness beneath was enough before.
         let Ok(Carried { law, penalty, multipliers }) = Carried::new(normal, *ground, overrides) else { return };
+        let shifts = self.points.len()..2 * self.points.len();
         if let (Some(old), Some(new)) = (self.multipliers, multipliers) {
-            history[self.points.len()..].iter_mut().for_each(|shift| *shift *= old.slope / new.slope);
+            history[shifts.clone()].iter_mut().for_each(|shift| *shift *= old.slope / new.slope);
+        }
+        // What acts along the surface stands behind the shifts, and stays as it is.
+        match (self.multipliers, multipliers) {
+            (Some(_), None) => drop(history.drain(shifts)),
+            (None, Some(_)) => drop(history.splice(self.points.len()..self.points.len(), shifts.map(|_| 0.0))),
+            _ => {}
         }
         (self.law, self.multipliers, self.summary.penalty) = (law, multipliers, penalty);
         self.origin.2 = overrides;
-        history.resize(self.numbers(), 0.0);
     }
 
     /// True where the step resists motions along its surface, too.
