@@ -336,7 +336,8 @@ fn ground(
     let beneath = match definition.secondary {
         Secondary::Faces(_) => {
             let each = [&sides.secondary, &sides.main].map(|facets| stiffness::beneath(bodies.0, facets));
-            each.into_iter().flatten().reduce(f64::min)
+            // Between sides of trusses and beams in the plane there are none.
+            each.into_iter().flatten().reduce(f64::min).or_else(|| stiffness::at_points(bodies, points))
         }
         Secondary::Nodes(_) | Secondary::Lines(_) => stiffness::at_points(bodies, points),
     };

@@ -5,6 +5,7 @@ use crate::point::ContactPoint;
 use fe_core::nodal_stiffness::nodal_stiffness;
 use fe_core::{Freedoms, Structure};
 use fe_mesh::{CellId, Face};
+use nalgebra::Matrix3;
 use rayon::prelude::*;
 use std::collections::BTreeMap;
 
@@ -13,6 +14,9 @@ use std::collections::BTreeMap;
 pub const PENALTY_FACTOR: f64 = 10.0;
 /// See [`PENALTY_FACTOR`].
 pub const AUGMENTED_FACTOR: f64 = 1000.0;
+
+/// What rounding leaves of no stiffness, of the largest [-].
+const ROUND_OFF: f64 = 1e-12;
 
 /// Poisson's ratio beyond which a nearly incompressible element counts as no stiffer [-].
 const LARGEST_POISSON: f64 = 0.45;
@@ -35,15 +39,18 @@ pub fn beneath(structure: &Structure, facets: &[Facet]) -> Option<f64> {
 }
 
 /// What stands for k_e where points have no facets: the mean over the points of the largest stiffness [F/L] of a node of
-/// theirs over their measure, of the softer side; a side without stiffness is rigid. `None` where no node has any.
+/// theirs along the normal over their measure, of the softer side; a side without stiffness is rigid. `None` where no
+/// node has any.
 pub fn at_points((structure, freedoms): (&Structure, &Freedoms), points: &[ContactPoint]) -> Option<f64> {
-    let mut of_node: BTreeMap<u32, f64> = points.iter().flat_map(|p| &p.nodes).map(|&n| (n, 0.0)).collect();
+    let mut of_node: BTreeMap<u32, Matrix3<f64>> =
+        points.iter().flat_map(|p| &p.nodes).map(|&n| (n, Matrix3::zeros())).collect();
     let nodes: Vec<u32> = of_node.keys().copied().collect();
     of_node.values_mut().zip(nodal_stiffness(structure, freedoms, &nodes)).for_each(|(k, found)| *k = found);
     let each = points.iter().filter_map(|point| {
+        let normal = Vec3::from(point.normal);
         let side = |main: bool| {
             let nodes = point.nodes.iter().filter(|n| (**n != point.node) == main);
-            nodes.map(|n| of_node[n]).reduce(f64::max).filter(|k| *k > 0.0)
+            nodes.map(|n| along(&of_node[n], &normal)).reduce(f64::max).filter(|k| *k > 0.0)
         };
         let softer = [side(false), side(true)].into_iter().flatten().reduce(f64::min)?;
         Some(softer / point.measure.value())
@@ -70,10 +77,18 @@ pub fn at_points_or_chosen(
     })
 }
 
+/// Stiffness of a node along a normal; that of its stiffest axis for a round point, which has no normal, and where there is
+/// none along it (beyond round-off), as across trusses.
+fn along(stiffness: &Matrix3<f64>, normal: &Vec3) -> f64 {
+    let (found, largest) = (normal.dot(&(stiffness * normal)), stiffness.diagonal().max());
+    if found > ROUND_OFF * largest { found } else { largest }
+}
+
+/// The largest of all nodes of a model, on average, without measure.
 fn anywhere((structure, freedoms): (&Structure, &Freedoms)) -> Option<f64> {
     let nodes: Vec<u32> = (0..structure.mesh.points.len() as u32).collect();
-    let all = nodal_stiffness(structure, freedoms, &nodes);
-    let (sum, count) = all.iter().filter(|k| **k > 0.0).fold((0.0, 0), |(sum, count), k| (sum + k, count + 1));
+    let all = nodal_stiffness(structure, freedoms, &nodes).into_iter().map(|k| k.diagonal().max());
+    let (sum, count) = all.filter(|k| *k > 0.0).fold((0.0, 0), |(sum, count), k| (sum + k, count + 1));
     (count > 0).then(|| sum / f64::from(count))
 }
 

@@ -8,12 +8,13 @@ use crate::solid::SolidBlock;
 use crate::structure::{Discrete, LineSection, Section, Structure};
 use crate::term::{Assembly, Motion, Term};
 use fe_mesh::CellId;
+use nalgebra::Matrix3;
 use std::collections::BTreeSet;
 use std::sync::Arc;
 
-/// For each of a few nodes the largest entry [F/L] on the diagonal of the stiffness, over its translations, of the solids,
-/// trusses, beams and springs at it; 0 where there are none, or where one of them has no stiffness.
-pub fn nodal_stiffness(structure: &Structure, freedoms: &Freedoms, nodes: &[u32]) -> Vec<f64> {
+/// For each of a few nodes the stiffness [F/L] of its translations, of the solids, trusses, beams and springs at it, all
+/// other nodes held; 0 where there are none, or where one of them has no stiffness.
+pub fn nodal_stiffness(structure: &Structure, freedoms: &Freedoms, nodes: &[u32]) -> Vec<Matrix3<f64>> {
     let wanted: BTreeSet<u32> = nodes.iter().copied().collect();
     let terms = elements_at(structure, freedoms, &wanted);
     let mut couplings = Couplings::new(freedoms.nodes());
@@ -27,12 +28,18 @@ pub fn nodal_stiffness(structure: &Structure, freedoms: &Freedoms, nodes: &[u32]
         // At rest nothing is rejected.
         let _ = term.evaluate(at, &[], &mut [], &mut out);
     }
-    let diagonal = stiffness.diagonal();
-    let largest = |&node: &u32| {
-        let translations = freedoms.of_node(node as usize).filter(|&f| freedoms.component(f) < 3);
-        translations.map(|f| diagonal[f]).fold(0.0, f64::max)
+    let translations = |&node: &u32| {
+        let (places, block) = (freedoms.of_node(node as usize), stiffness.of_node(node as usize));
+        let count = places.len();
+        let mut found = Matrix3::zeros();
+        for (i, a) in places.clone().map(|f| freedoms.component(f)).enumerate().filter(|(_, a)| *a < 3) {
+            for (j, b) in places.clone().map(|f| freedoms.component(f)).enumerate().filter(|(_, b)| *b < 3) {
+                found[(a, b)] = block[i * count + j];
+            }
+        }
+        found
     };
-    nodes.iter().map(largest).collect()
+    nodes.iter().map(translations).collect()
 }
 
 /// The elements that have one of the nodes, as terms; bad ones are left out.

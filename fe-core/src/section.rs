@@ -1,6 +1,6 @@
 //! What elements have beside their nodes: material, cross-section, stiffness.
 
-use crate::element::ElementType;
+use crate::element::{ElementType, Family};
 use fe_mesh::CellId;
 use std::f64::consts::PI;
 
@@ -39,16 +39,20 @@ pub struct LineSection {
 }
 
 impl LineSection {
-    /// Relative error that rounding may leave in the deflection of shear-flexible beams of a body of this length [L] and
-    /// so many elements along it: ε n κ G A L² / E I, the condition of thin beams; seen on cantilevers of 1 to 64 elements
-    /// and L / t = 10² to 10⁶ as an upper bound. Nothing for others.
-    pub fn rounding(&self, length: f64, elements: f64) -> Option<f64> {
+    /// Relative error that rounding may leave in the deflection of beams of a body of this length [L] and so many elements
+    /// along it, ε n k L² / E I: k is κ G A of shear-flexible beams, the condition of thin ones (seen on cantilevers of 1
+    /// to 64 elements and L / t = 10² to 10⁶ as an upper bound); and E A t(i) t(j), what stretching puts beside bending in
+    /// the matrix where the tangent t lies along no axis. Nothing for trusses.
+    pub fn rounding(&self, tangents: impl Iterator<Item = [f64; 3]>, length: f64, elements: f64) -> Option<f64> {
         let p = &self.profile;
-        let plane = self.element == ElementType::B21;
+        let plane = matches!(self.element, ElementType::B21 | ElementType::B23);
         let least = if plane { p.i11 } else { p.i11.min(p.i22) };
-        let shear = p.shear_factor * self.shear * p.area * length * length;
-        let flexible = plane || self.element == ElementType::B31;
-        flexible.then(|| f64::EPSILON * elements * shear / (self.young * least))
+        let flexible = matches!(self.element, ElementType::B21 | ElementType::B31);
+        let shear = if flexible { p.shear_factor * self.shear * p.area } else { 0.0 };
+        let mixed = |[x, y, z]: [f64; 3]| (x * y).abs().max((y * z).abs()).max((z * x).abs());
+        let stretching = self.young * p.area * tangents.map(mixed).fold(0.0, f64::max);
+        let stiffest = shear.max(stretching) * length * length;
+        (self.element.family() == Family::Beam).then(|| f64::EPSILON * elements * stiffest / (self.young * least))
     }
 }
 

@@ -16,6 +16,7 @@ use fe_core::structure::{LineSection, Structure};
 use fe_core::term::Term;
 use fe_io::Model;
 use fe_io::model::Step;
+use fe_mesh::CellId;
 use std::sync::Arc;
 use std::time::Instant;
 
@@ -147,21 +148,26 @@ impl Terms {
 /// Relative error of deflections that is told.
 const TOLD: f64 = 1e-6;
 
-/// Shear-flexible beams so thin that rounding shows, a line for each section.
+/// Beams so thin that rounding shows, a line for each section.
 fn thin_beams(structure: &Structure, bodies: &[Body]) -> Vec<String> {
     let mesh = &structure.mesh;
     let told = |section: &LineSection| {
-        let cell = *section.cells.first()?;
-        let [a, b] = [0, 1].map(|i| mesh.cell(cell)[i]);
-        let body = bodies.iter().find(|body| body.nodes.binary_search(&a).is_ok())?;
-        let [p, q] = [a, b].map(|n| mesh.points[n as usize]);
-        let element = (0..3).map(|i| (q[i] - p[i]).powi(2)).sum::<f64>().sqrt();
+        let along = |cell: CellId| {
+            let [p, q] = [0, 1].map(|i| mesh.points[mesh.cell(cell)[i] as usize]);
+            let offset = [0, 1, 2].map(|c| q[c] - p[c]);
+            (offset, offset.iter().map(|d| d * d).sum::<f64>().sqrt())
+        };
+        let first = *section.cells.first()?;
+        let body = bodies.iter().find(|body| body.nodes.binary_search(&mesh.cell(first)[0]).is_ok())?;
         let length = 2.0 * body.size;
-        let rounding = section.rounding(length, length / element).filter(|rounding| *rounding > TOLD)?;
-        let (name, of, instead) =
-            (section.element.name(), &section.name, if structure.is_plane() { "B23" } else { "B33" });
+        let tangents = section.cells.iter().map(|&cell| {
+            let (offset, element) = along(cell);
+            offset.map(|d| d / element)
+        });
+        let rounding = section.rounding(tangents, length, length / along(first).1).filter(|part| *part > TOLD)?;
+        let (name, of) = (section.element.name(), &section.name);
         Some(format!(
-            "warning: {name} elements of {of} are so thin that rounding may cost {rounding:.0e} of their deflection; {instead} loses nothing"
+            "warning: {name} elements of {of} are so thin that rounding may cost {rounding:.0e} of their deflection; B23 and B33 along an axis lose nothing"
         ))
     };
     structure.lines.iter().filter_map(told).collect()

@@ -18,9 +18,11 @@ macro_rules! decks {
 
 decks! {
     beam_c3d8
+    blocks_exponential
     blocks_linear_s2s
     blocks_node_based
     blocks_penalty_fields
+    blocks_tabular
     crossing_beams
     friction_cycle
     gap_area

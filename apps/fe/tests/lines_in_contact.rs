@@ -47,6 +47,23 @@ fn a18_a_line_of_two_node_trusses() {
     assert!((forces.iter().map(|f| f[2]).sum::<f64>() + 5.0).abs() < 1e-6);
 }
 
+/// The same line of beams.
+#[test]
+fn a18_a_line_of_beams() {
+    let nodes = "11, 0., 0., 0.\n12, 1., 0., 0.\n13, 2.5, 0., 0.\n14, 5., 0., 0.\n";
+    for kind in ["B31", "B33"] {
+        let deck = on_block(kind, nodes, "11, 11, 12\n12, 12, 13\n13, 13, 14\n")
+            .replace(
+                "*SOLID SECTION, ELSET=BAR, MATERIAL=M\n1.,\n",
+                "*BEAM SECTION, ELSET=BAR, MATERIAL=M, SECTION=RECT\n1., 1.\n0., 1., 0.\n",
+            )
+            .replace("LINE, 1, 2\n", "LINE, 1, 2\nLINE, 4, 6\n");
+        let forces = reactions(&format!("line_{kind}"), &deck, "LINE");
+        let expected = [0.5, 1.25, 2.0, 1.25];
+        assert!(forces.len() == 4 && forces.iter().zip(expected).all(|(f, e)| (f[2] + e).abs() < 1e-6), "{forces:?}");
+    }
+}
+
 /// The same length with nodes in the middle: a sixth, two thirds, a sixth of 2 and of 3.
 #[test]
 fn a18_a_line_of_three_node_trusses() {

@@ -10,7 +10,7 @@ pub(crate) mod run;
 
 pub use cases::CASES;
 pub use finding::{Finding, Verdict};
-pub use run::{Place, Run};
+pub use run::{Place, Run, Solved};
 
 use std::io::{self, Write};
 use std::path::Path;

@@ -3,9 +3,12 @@
 //! Its figures are told as it goes (`--nocapture` shows them all).
 #![allow(clippy::unwrap_used, clippy::print_stderr, non_snake_case)]
 
+mod beams;
+mod beams_on_rigid;
 mod bending;
 mod bodies;
 mod deck;
+mod lines;
 mod patch;
 mod rates;
 mod smooth;

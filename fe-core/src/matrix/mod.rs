@@ -89,18 +89,23 @@ impl BlockMatrix {
         }
     }
 
+    /// The block of a node with itself, row-major over its freedoms; empty where it has none.
+    pub fn of_node(&self, node: usize) -> &[f64] {
+        let p = &*self.pattern;
+        match p.freedoms.of_node(node).len() {
+            0 => &[],
+            n => &self.values[p.value_start[p.row_start[node + 1] - 1]..][..n * n],
+        }
+    }
+
     /// Diagonal entry of each freedom.
     pub fn diagonal(&self) -> Vec<f64> {
         let p = &*self.pattern;
-        let mut diagonal = Vec::with_capacity(p.freedoms.len());
-        for i in 0..p.nodes() {
+        let entries = |i: usize| {
             let n = p.freedoms.of_node(i).len();
-            if n > 0 {
-                let block = &self.values[p.value_start[p.row_start[i + 1] - 1]..];
-                diagonal.extend((0..n).map(|r| block[r * n + r]));
-            }
-        }
-        diagonal
+            (0..n).map(move |r| self.of_node(i)[r * n + r])
+        };
+        (0..p.nodes()).flat_map(entries).collect()
     }
 
     /// Largest diagonal entry.

@@ -4,8 +4,10 @@ mod edges;
 mod elements;
 mod faults;
 mod flush;
+mod gaps;
 mod idle;
 mod laws;
+mod members;
 mod moved;
 mod order;
 mod overclosure;
@@ -30,12 +32,15 @@ pub const CASES: &[Case] = &[
     Case { id: "D15", name: "units", scenes: units::scenes },
     Case { id: "D16", name: "offset", scenes: moved::offset },
     Case { id: "D17", name: "rotation", scenes: moved::rotation },
+    Case { id: "D18", name: "chattering", scenes: gaps::stops },
     Case { id: "D19", name: "conforming_faces", scenes: flush::scenes },
     Case { id: "D24", name: "no_separation", scenes: stiffness::no_separation },
     Case { id: "D27", name: "bad_elements", scenes: elements::bad },
+    Case { id: "D28", name: "thin_beams", scenes: members::thin },
     Case { id: "D29", name: "face_counted", scenes: faults::faces },
     Case { id: "D30", name: "duplicates", scenes: faults::duplicates },
     Case { id: "D31", name: "empty", scenes: faults::empty },
+    Case { id: "D32", name: "gap_degenerate", scenes: gaps::degenerate },
     Case { id: "D33", name: "mesh_contrast", scenes: elements::contrast },
     Case { id: "D35", name: "order", scenes: order::scenes },
     Case { id: "D40", name: "idle", scenes: idle::scenes },

@@ -1,5 +1,6 @@
 //! D04, D05, D06, D08: multipliers that say what supports or other multipliers say already.
 
+use super::members;
 use crate::hard::Scene;
 use crate::hard::deck::{self, Order};
 use crate::hard::finding::{Finding, from_value};
@@ -39,7 +40,8 @@ pub fn supported() -> Vec<Scene> {
         )
     };
     let deck = held(0.0, pressed.clone());
-    let scenes = vec![
+    let mut scenes = members::supported_ends();
+    scenes.extend([
         Scene::new("secondary nodes held on the rigid main", move |place| {
             let run = place.run("held", &deck);
             let told = run.plans.iter().any(|plan| plan.contains("over-constraint") && plan.contains("5 multipliers"));
@@ -57,7 +59,7 @@ pub fn supported() -> Vec<Scene> {
             Finding::refused(&run, &["node", "1.000e-2"])
         }),
         Scene::new("a node in an equation", |_| Finding::waits("*EQUATION")),
-    ];
+    ]);
     scenes
 }
 
@@ -78,7 +80,7 @@ pub fn shared() -> Vec<Scene> {
             errors.chain([(from_value(PRESSURE, &solved.pressures()), BOUND)]).collect()
         })
     };
-    vec![
+    let mut scenes = vec![
         Scene::new("block in the corner of two rigid walls", move |place| {
             let run = place.run("corner", &cornered(&[("YMIN", "FLOOR"), ("XMIN", "WALL")], "", &squeezed));
             forces(&run, &[2.0 * PRESSURE, PRESSURE])
@@ -92,6 +94,63 @@ pub fn shared() -> Vec<Scene> {
             let total = |solved: &Solved| solved.pairs.iter().map(|pair| pair.secondary.force[1]).sum::<f64>();
             Finding::converged(&run)
                 .measured(&run, |solved| vec![(from_value(2.0 * PRESSURE, &[total(solved)]), BOUND)])
+        }),
+    ];
+    scenes.extend(in_gap_and_pair());
+    scenes
+}
+
+/// D05: gap elements along x, of the law's default, from held nodes 901, 902, … to nodes of the block at x = 0, with their
+/// cards of supports; or along y, to one at the bottom that the pair has, too.
+fn with_gaps(labels: &[u64], direction: &str) -> (String, String) {
+    let nodes: String = (901..).zip(labels).map(|(held, _)| format!("{held}, -1., -1.\n")).collect();
+    let elements: String = (901..).zip(labels).map(|(held, label)| format!("{held}, {held}, {label}\n")).collect();
+    let held: String = (901..).zip(labels).map(|(held, _)| format!("{held}, 1, 2\n")).collect();
+    let model =
+        format!("*NODE\n{nodes}*ELEMENT, TYPE=GAPUNI, ELSET=STOPS\n{elements}*GAP, ELSET=STOPS\n0., {direction}\n");
+    (model, held)
+}
+
+/// D05: nodes in a pair and in gap elements.
+fn in_gap_and_pair() -> [Scene; 2] {
+    let mesh = Block::quad4([4, 2]).size([2.0, 1.0, 0.0]).mesh();
+    let labels = move |set: &str| -> Vec<u64> {
+        let nodes = mesh.node_sets.get(set).map_or(&[][..], Vec::as_slice);
+        nodes.iter().map(|&n| mesh.point_labels[n as usize]).collect()
+    };
+    let (left, bottom) = (labels("XMIN"), labels("YMIN"));
+    let total = |solved: &Solved, c: usize| solved.pairs.iter().map(|pair| pair.secondary.force[c]).sum::<f64>();
+    [
+        Scene::new("corner node in a pair along y and a gap along x", move |place| {
+            let (model, held) = with_gaps(&left, "1.");
+            let loads = format!("*DSLOAD\nYMAX, P, {PRESSURE}\nXMAX, P, {PRESSURE}\n");
+            let deck = cornered(&[("YMIN", "FLOOR")], &model, &format!("{held}{}", patch::step(EXACT, &loads)));
+            let run = place.run("gaps", &deck);
+            Finding::converged(&run).measured(&run, |solved| {
+                let column = -PRESSURE * (1.0 - 2.0 * patch::POISSON) * (1.0 + patch::POISSON) / YOUNG;
+                vec![
+                    (from_value(PRESSURE, &[total(solved, 0)]), BOUND),
+                    (from_value(2.0 * PRESSURE, &[total(solved, 1)]), BOUND),
+                    (from_value(column, &top_of(solved)), BOUND),
+                ]
+            })
+        }),
+        Scene::new("a node in a pair and in a gap along the same y", move |place| {
+            let (model, held) = with_gaps(&bottom[2..3], "0., 1.");
+            let loads = format!("*DSLOAD\nYMAX, P, {PRESSURE}\n");
+            let rest = format!("XMIN, 1\n{held}{}", patch::step(EXACT, &loads));
+            let run = place.run("parallel", &cornered(&[("YMIN", "FLOOR")], &model, &rest));
+            let told = run.plans.iter().any(|plan| plan.contains("1 multipliers say"));
+            Finding::converged(&run).holds(told, format!("the plan does not count 1: {:?}", run.plans)).measured(
+                &run,
+                |solved| {
+                    let column = -PRESSURE * (1.0 - patch::POISSON * patch::POISSON) / YOUNG;
+                    vec![
+                        (from_value(2.0 * PRESSURE, &[total(solved, 1)]), BOUND),
+                        (from_value(column, &top_of(solved)), BOUND),
+                    ]
+                },
+            )
         }),
     ]
 }

@@ -1,5 +1,6 @@
 //! D01, D02: penalties from far too soft to far too stiff, and bodies of unlike stiffness.
 
+use super::gaps;
 use crate::hard::Scene;
 use crate::hard::deck::{self, Order};
 use crate::hard::finding::{Finding, from_value};
@@ -77,7 +78,7 @@ fn window(exponent: i32) -> String {
 
 /// Scenes of D02.
 pub fn contrasts() -> Vec<Scene> {
-    let mut scenes = Vec::new();
+    let mut scenes = gaps::springs();
     for ratio in [1e3, 1e6, 1e9, 1e12] {
         for (behavior, name) in [("DIRECT", "multipliers"), ("PENALTY", "penalty")] {
             scenes.push(Scene::new(format!("patch 3/4, lower block {ratio:e} times as stiff, {name}"), move |place| {
