@@ -6,6 +6,7 @@ mod nodes;
 mod sweep;
 
 use crate::hard::run::{Place, Run, Solved};
+use fe_contact::law::formula::Formula;
 use fe_contact::law::{Laws, NormalLaw};
 use std::io::{self, Write};
 use std::path::Path;
@@ -27,6 +28,8 @@ enum Enforced {
     Hard,
     /// The penalty that the program tells.
     Penalty,
+    /// The law that the program tells.
+    Told,
     /// The softened law itself.
     Law(Arc<dyn NormalLaw>),
 }
@@ -72,6 +75,7 @@ fn behaviors(p: f64, k: f64) -> Vec<Behavior> {
         hard("HARD, multipliers", "DIRECT", Enforced::Hard),
         hard("HARD, augmented Lagrange", "AUGMENTED LAGRANGE", Enforced::Hard),
         hard("HARD, penalty", "PENALTY", Enforced::Penalty),
+        hard("HARD, nonlinear penalty", "PENALTY=NONLINEAR", Enforced::Told),
         softened("LINEAR", "LINEAR", &[&[k]]),
         softened("LINEAR, a million times as steep", "LINEAR", &[&[1e6 * k]]),
         softened("EXPONENTIAL", "EXPONENTIAL", &[&[length, 0.1 * p]]),
@@ -82,7 +86,17 @@ fn behaviors(p: f64, k: f64) -> Vec<Behavior> {
             &[&[0.0, -0.5 * length], &[0.2 * p, 0.0], &[0.2 * p, 0.3 * length], &[1.5 * p, 0.6 * length]],
         ),
         softened("TABULAR, a million times as steep", "TABULAR", &[&[0.0, 0.0], &[p, 1e-6 * length]]),
+        formula("FORMULA, p = K h^1.5", k / length.sqrt()),
+        formula("FORMULA, a million times as steep", 1e6 * k / length.sqrt()),
     ]
+}
+
+/// The law p = K h^1.5 written out.
+fn formula(name: &'static str, factor: f64) -> Behavior {
+    let lines = ["p = K * h^1.5".to_owned(), format!("K = {factor:e}")];
+    let card = format!("*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=FORMULA\n{}\n", lines.join("\n"));
+    let law = Formula::new(&lines.each_ref().map(String::as_str), 1.0).expect("the formula is right").0;
+    Behavior { name, card, by: Enforced::Law(Arc::new(law)) }
 }
 
 /// Numbers of a data line with those that may be left blank.
@@ -174,6 +188,7 @@ fn measured<P: Push>(problem: &P, behavior: &Behavior, run: &Run, solved: &Solve
             let stiffness = measure * solved.stiffness(0);
             P::DEPTH * spring * stiffness / (spring + stiffness)
         }
+        Enforced::Told => balance((P::DEPTH, spring), measure, solved.terms.contacts[0].law()),
         Enforced::Law(law) => balance((P::DEPTH, spring), measure, &**law),
     };
     let largest = solved.pairs.iter().filter_map(|pair| pair.largest_overclosure);

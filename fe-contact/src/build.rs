@@ -7,7 +7,7 @@ use crate::contact::Contact;
 use crate::enforce::TOUCH;
 use crate::error::PairError;
 use crate::facet::{Facet, Vec3};
-use crate::interaction::{Enforcement, Interaction, NormalBehavior};
+use crate::interaction::{Interaction, NormalBehavior};
 use crate::line;
 use crate::node_to_surface::{self, Node};
 use crate::overlap::Sides;
@@ -89,7 +89,7 @@ impl Contact {
     ) -> Result<Self, NoStiffness> {
         let carried = Carried::new(&interaction.normal, ground, Overrides::default())?;
         let tangential = interaction.friction.as_ref().map(|friction| carried.friction(friction, ground));
-        let Carried { law, penalty, multipliers } = carried;
+        let Carried { law, bare, penalty, multipliers } = carried;
         let Found { name, surfaces, mut points, cells, reference, origin, searched } = found;
         if tangential.is_none() {
             points.iter_mut().for_each(|p| p.slide = None);
@@ -105,6 +105,8 @@ impl Contact {
             tangential,
             no_separation: interaction.no_separation,
             law,
+            bare,
+            stuck: Vec::new(),
             length: ground.length,
             touch: TOUCH * model_size(structure),
             summary: Summary {
@@ -161,8 +163,8 @@ fn facet_length(sides: &Prepared) -> f64 {
 
 fn check_numbers(interaction: &Interaction) -> Result<(), PairError> {
     let mut numbers = vec![("the thickness or area on its data line", interaction.measure)];
-    if let NormalBehavior::Hard(Enforcement::Penalty(penalty) | Enforcement::AugmentedLagrange(penalty)) =
-        interaction.normal
+    if let NormalBehavior::Hard(enforcement) = &interaction.normal
+        && let Some(penalty) = enforcement.penalty()
     {
         numbers.push(("the penalty stiffness", penalty.stiffness));
         numbers.push(("the scale factor of the penalty stiffness", Some(penalty.scale)));

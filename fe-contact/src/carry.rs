@@ -6,7 +6,7 @@ use crate::interaction::{Enforcement, NormalBehavior, Penalty};
 use crate::law::NormalLaw;
 use crate::law::linear::Linear;
 use crate::law::series::InSeries;
-use crate::stiffness::{AUGMENTED_FACTOR, PENALTY_FACTOR};
+use crate::stiffness::{AUGMENTED_FACTOR, NONLINEAR_FACTOR, PENALTY_FACTOR};
 use crate::summary::{Means, PenaltySummary};
 use std::sync::Arc;
 
@@ -37,6 +37,8 @@ impl Ground {
 pub(crate) struct Carried {
     /// The law that is asked.
     pub law: Arc<dyn NormalLaw>,
+    /// The law itself, where one in series is asked.
+    pub bare: Option<Arc<dyn NormalLaw>>,
     /// For the plan.
     pub penalty: Option<PenaltySummary>,
     /// Multipliers on top of the law.
@@ -56,14 +58,15 @@ impl Carried {
     fn softened(law: Arc<dyn NormalLaw>, ground: Ground) -> Self {
         match ground.stiffest() {
             Some(spring) if law.steepest() > spring => Self::in_series(law, spring, ground),
-            _ => Carried { law, penalty: None, multipliers: None },
+            _ => Carried { law, bare: None, penalty: None, multipliers: None },
         }
     }
 
     fn in_series(law: Arc<dyn NormalLaw>, spring: f64, ground: Ground) -> Self {
         let penalty =
             PenaltySummary { means: Means::Mixed, stiffness: spring, by_default: true, scale: 1.0, clearance: 0.0 };
-        Carried { law: Arc::new(InSeries { law, spring }), ..Self::with(penalty, ground) }
+        let bare = Some(law.clone());
+        Carried { law: Arc::new(InSeries { law, spring }), bare, ..Self::with(penalty, ground) }
     }
 
     fn hard(enforcement: Enforcement, ground: Ground, overrides: Overrides) -> Result<Self, NoStiffness> {
@@ -71,6 +74,9 @@ impl Carried {
         let (means, Penalty { stiffness, clearance, scale }, factor) = match enforcement {
             Enforcement::Usual if ground.slides_far => (Means::Penalty, Penalty::default(), PENALTY_FACTOR),
             Enforcement::Usual | Enforcement::Direct => (Means::Multipliers, Penalty::default(), AUGMENTED_FACTOR),
+            Enforcement::NonlinearPenalty(growing) => {
+                (Means::NonlinearPenalty(growing.upper * ground.length), growing.last, NONLINEAR_FACTOR)
+            }
             Enforcement::Penalty(penalty) => (Means::Penalty, penalty, PENALTY_FACTOR),
             Enforcement::AugmentedLagrange(penalty) => (
                 Means::AugmentedLagrange(allowed(ground, overrides.tolerance, scaled * penalty.scale)),
@@ -82,27 +88,29 @@ impl Carried {
         let base = stiffness.or(ground.beneath.map(|k| factor * k)).ok_or(NoStiffness)?;
         let by_default = stiffness.is_none();
         let penalty = PenaltySummary { means, stiffness: scale * base, by_default, scale, clearance };
+        let law: Arc<dyn NormalLaw> = match enforcement {
+            Enforcement::NonlinearPenalty(growing) => Arc::new(growing.over(penalty.stiffness, ground.length)),
+            _ => Arc::new(Linear { slope: penalty.stiffness, clearance }),
+        };
         Ok(match ground.stiffest() {
             // So steep a penalty would drown the bodies' own stiffness in rounding.
-            Some(spring) if penalty.stiffness > spring && means == Means::Penalty => {
-                Self::in_series(Arc::new(Linear { slope: penalty.stiffness, clearance }), spring, ground)
-            }
+            Some(spring) if law.steepest() > spring && means.is_bare() => Self::in_series(law, spring, ground),
             Some(spring) if penalty.stiffness > spring => {
                 Self::with(PenaltySummary { stiffness: spring, ..penalty }, ground)
             }
-            _ => Self::with(penalty, ground),
+            _ => Carried { law, ..Self::with(penalty, ground) },
         })
     }
 
     fn with(penalty: PenaltySummary, ground: Ground) -> Self {
         let (slope, length) = (penalty.stiffness, ground.length);
         let multipliers = match penalty.means {
-            Means::Penalty => None,
+            Means::Penalty | Means::NonlinearPenalty(_) => None,
             Means::AugmentedLagrange(allowed) => Some(Multipliers { slope, length, allowed: Some(allowed) }),
             Means::Multipliers | Means::Mixed => Some(Multipliers { slope, length, allowed: None }),
         };
         let law = Arc::new(Linear { slope, clearance: penalty.clearance });
-        Carried { law, penalty: Some(penalty), multipliers }
+        Carried { law, bare: None, penalty: Some(penalty), multipliers }
     }
 }
 

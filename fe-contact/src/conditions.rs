@@ -3,6 +3,7 @@
 use crate::carry::Carried;
 use crate::contact::Contact;
 use crate::interference::{Allowance, Interference};
+use crate::law::NormalLaw;
 use crate::viscous::{Resistance, Stabilization};
 
 /// What a step says of one contact; by default nothing.
@@ -79,7 +80,7 @@ impl Contact {
             return;
         }
         // The same stiffness beneath was enough before.
-        let Ok(Carried { law, penalty, multipliers }) = Carried::new(normal, *ground, overrides) else { return };
+        let Ok(Carried { law, bare, penalty, multipliers }) = Carried::new(normal, *ground, overrides) else { return };
         let shifts = self.points.len()..2 * self.points.len();
         if let (Some(old), Some(new)) = (self.multipliers, multipliers) {
             history[shifts.clone()].iter_mut().for_each(|shift| *shift *= old.slope / new.slope);
@@ -90,8 +91,27 @@ impl Contact {
             (None, Some(_)) => drop(history.splice(self.points.len()..self.points.len(), shifts.map(|_| 0.0))),
             _ => {}
         }
-        (self.law, self.multipliers, self.summary.penalty) = (law, multipliers, penalty);
+        (self.law, self.bare) = (law, bare);
+        (self.multipliers, self.summary.penalty) = (multipliers, penalty);
         self.origin.2 = overrides;
+    }
+
+    /// Is told which freedoms the step prescribes. What their motion makes of a gap leaves a multiplier nothing to find: points
+    /// that nothing else moves are asked the law itself, where one in series with a spring is asked otherwise.
+    pub fn hold(&mut self, fixed: &[bool]) {
+        let stuck = |i: usize| !self.points[i].moves_with(&self.places[i], |f| !fixed[f]);
+        self.stuck = if self.bare.is_some() { (0..self.points.len()).map(stuck).collect() } else { Vec::new() };
+    }
+
+    /// The law that a point is asked that is stuck.
+    pub(crate) fn law_of_stuck(&self, point: usize) -> Option<&dyn NormalLaw> {
+        let is_stuck = self.stuck.get(point).copied().unwrap_or(false);
+        self.bare.as_deref().filter(|_| is_stuck)
+    }
+
+    /// How many points nothing but prescribed freedoms moves, where that makes a difference.
+    pub fn stuck_points(&self) -> usize {
+        self.stuck.iter().filter(|stuck| **stuck).count()
     }
 
     /// True where the step resists motions along its surface, too.

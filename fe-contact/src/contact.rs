@@ -34,6 +34,10 @@ pub struct Contact {
     /// Where the points stand in the matrices of a step.
     pub(crate) blocks: Mutex<Option<Arc<Blocks>>>,
     pub(crate) law: Arc<dyn NormalLaw>,
+    /// The law itself, where one in series is asked.
+    pub(crate) bare: Option<Arc<dyn NormalLaw>>,
+    /// The points that no free freedom of the present step moves; empty where they are asked as all others.
+    pub(crate) stuck: Vec<bool>,
     /// Multipliers on top of the law.
     pub(crate) multipliers: Option<Multipliers>,
     /// What acts along the surface.

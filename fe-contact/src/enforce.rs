@@ -58,11 +58,14 @@ impl Contact {
         history: &[f64],
         held: bool,
     ) -> (NormalResponse, ContactStatus) {
-        let shift = self.shift(point, history);
+        let (law, shift) = match self.law_of_stuck(point) {
+            Some(law) => (law, 0.0),
+            None => (&*self.law, self.shift(point, history)),
+        };
         let gap = gap + self.allowed(point, history);
-        let (mut answer, mut status) = self.respond(gap - shift);
+        let (mut answer, mut status) = self.respond_by(law, gap - shift);
         if held && status == ContactStatus::Open {
-            (answer, status) = (mirrored(&*self.law, gap - shift), ContactStatus::Closed);
+            (answer, status) = (mirrored(law, gap - shift), ContactStatus::Closed);
         }
         if shift != 0.0 {
             // What the multiplier itself has stored is no energy of the contact.
@@ -101,10 +104,17 @@ impl Contact {
         let pressures: Vec<f64> = (0..self.points.len())
             .map(|i| self.answer(i, self.opening(i, at.u), new, self.is_held(i, old)).0.pressure)
             .collect();
-        let largest = pressures.iter().fold(0.0, |m: f64, p| m.max(p.abs()));
+        let is_stuck = |i: usize| self.law_of_stuck(i).is_some();
+        let found = |(i, _): &(usize, &f64)| !is_stuck(*i);
+        let largest = pressures.iter().enumerate().filter(found).fold(0.0, |m: f64, p| m.max(p.1.abs()));
         let limit = multipliers.limit(largest, at.passes).max(self.round_off());
         let mut worst: Option<Overlap> = None;
         for (i, pressure) in pressures.iter().enumerate() {
+            if is_stuck(i) {
+                // Where a later step lets go of it, it goes on from here.
+                new[self.points.len() + i] = pressure / slope;
+                continue;
+            }
             // How far the gap of a point that presses, or is held, is from where it belongs.
             let excess = if *pressure == 0.0 { 0.0 } else { pressure / slope - self.shift(i, new) };
             let off = if multipliers.allowed.is_some() { excess } else { excess.abs() };

@@ -2,6 +2,7 @@
 
 use crate::friction::Friction;
 use crate::law::NormalLaw;
+use crate::law::nonlinear_penalty::NonlinearPenalty;
 use std::sync::Arc;
 
 /// How the surfaces answer in normal direction.
@@ -25,6 +26,19 @@ pub enum Enforcement {
     AugmentedLagrange(Penalty),
     /// By a penalty alone.
     Penalty(Penalty),
+    /// By a penalty alone that grows with the overclosure.
+    NonlinearPenalty(GrowingPenalty),
+}
+
+impl Enforcement {
+    /// Its numbers, where it has any: of a nonlinear penalty those of the final slope.
+    pub fn penalty(&self) -> Option<Penalty> {
+        match *self {
+            Enforcement::Usual | Enforcement::Direct => None,
+            Enforcement::Penalty(penalty) | Enforcement::AugmentedLagrange(penalty) => Some(penalty),
+            Enforcement::NonlinearPenalty(growing) => Some(growing.last),
+        }
+    }
 }
 
 /// p = f K (h + c).
@@ -41,6 +55,34 @@ pub struct Penalty {
 impl Default for Penalty {
     fn default() -> Self {
         Penalty { stiffness: None, clearance: 0.0, scale: 1.0 }
+    }
+}
+
+/// A penalty that grows from K_i to K_f ([`crate::law::nonlinear_penalty`]).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct GrowingPenalty {
+    /// With K = K_f.
+    pub last: Penalty,
+    /// Overclosure x_d from which on the slope is K_f, over the length of the facets [-], > 0.
+    pub upper: f64,
+    /// K_i/K_f [-], > 0.
+    pub initial: f64,
+    /// Overclosure x_e up to which the slope is K_i, over x_d [-], from 0 to 1.
+    pub lower: f64,
+}
+
+impl Default for GrowingPenalty {
+    fn default() -> Self {
+        GrowingPenalty { last: Penalty::default(), upper: 0.03, initial: 0.01, lower: 1.0 / 3.0 }
+    }
+}
+
+impl GrowingPenalty {
+    /// The law with its final slope [F/L³], on facets of a length [L].
+    pub fn over(&self, slope: f64, length: f64) -> NonlinearPenalty {
+        let upper = self.upper * length;
+        let (slopes, limits) = ([self.initial * slope, slope], [self.lower * upper, upper]);
+        NonlinearPenalty { slopes, limits, clearance: self.last.clearance }
     }
 }
 

@@ -109,6 +109,13 @@ impl ContactPoint {
         }
     }
 
+    /// True when its gap changes with a freedom that `counts`.
+    pub(crate) fn moves_with(&self, places: &[Range<usize>], counts: impl Fn(usize) -> bool) -> bool {
+        let rows = self.round.iter().flat_map(|round| &round.rows).chain(std::iter::once(&self.row));
+        rows.into_iter()
+            .any(|row| row.iter().zip(places.iter().cloned().flatten()).any(|(d, f)| *d != 0.0 && counts(f)))
+    }
+
     /// Its gap [L] alone.
     pub fn opening(&self, u: &[f64], places: &[Range<usize>]) -> f64 {
         match &self.round {

@@ -22,12 +22,14 @@ pub struct Redundant {
 /// that have a prescribed freedom, or a node that is secondary in another contact, too.
 pub fn redundant(contacts: &[Contact], u: &[f64], fixed: &[bool]) -> Vec<Redundant> {
     let mut secondary: BTreeMap<u32, BTreeSet<usize>> = BTreeMap::new();
-    for (k, contact) in contacts.iter().enumerate().filter(|(_, c)| c.acts() && c.multipliers.is_some()) {
+    // The overclosure of a softened law says how much each point presses.
+    let shares = |c: &Contact| c.acts() && c.multipliers.is_some() && c.bare.is_none();
+    for (k, contact) in contacts.iter().enumerate().filter(|(_, contact)| shares(contact)) {
         contact.points.iter().for_each(|p| _ = secondary.entry(p.node).or_default().insert(k));
     }
     let mut eliminated = Eliminated::default();
     let mut found = Vec::new();
-    for (k, contact) in contacts.iter().enumerate().filter(|(_, c)| c.acts() && c.multipliers.is_some()) {
+    for (k, contact) in contacts.iter().enumerate().filter(|(_, contact)| shares(contact)) {
         let elsewhere = |n: &u32| secondary.get(n).is_some_and(|of| of.iter().any(|&other| other != k));
         for (i, point) in contact.points.iter().enumerate() {
             let here = contact.at(i, u);

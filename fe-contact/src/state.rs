@@ -84,6 +84,9 @@ pub struct NodeValues {
 /// Overclosure of a penalty over the length of a facet up to which contact may be called hard [-].
 const SMALL: f64 = 0.01;
 
+/// What a penalty gives way over what the elements beneath do [-] that is another layer of them, but for rounding.
+const A_LAYER: f64 = 1.0 - 1e-9;
+
 /// A penalty so soft that the bodies overlap visibly, or that gives way like another layer of elements.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TooSoft {
@@ -180,15 +183,23 @@ impl Contact {
         }
     }
 
-    /// What is to be said of an overclosure that a penalty leaves, where it is no longer small beside the facets.
+    /// What is to be said of an overclosure that a penalty leaves, where it is no longer small beside the facets, or as large as
+    /// what the elements give way. A nonlinear penalty counts with its pressure over the overclosure, and is asked to leave the
+    /// overclosure from which on it is as stiff as it gets.
     pub fn too_soft(&self, state: &ContactState) -> Option<TooSoft> {
         let has_facets = matches!(self.summary.origin, Origin::Pair(_));
-        let penalty = self.summary.penalty.filter(|p| p.means == Means::Penalty && has_facets)?;
-        let (node, overclosure) = state.largest_overclosure?;
-        let overclosure = overclosure + penalty.clearance;
+        let penalty = self.summary.penalty.filter(|p| p.means.is_bare() && has_facets)?;
+        let (node, depth) = state.largest_overclosure?;
+        let overclosure = depth + penalty.clearance;
+        let (limit, stiffness) = match penalty.means {
+            Means::NonlinearPenalty(upper) => {
+                (upper.max(SMALL * self.length), self.law.respond(-depth).pressure / overclosure)
+            }
+            _ => (SMALL * self.length, penalty.stiffness),
+        };
         let part = if self.length > 0.0 { overclosure / self.length } else { 0.0 };
-        let layers = self.summary.beneath.map_or(0.0, |beneath| beneath / penalty.stiffness);
-        (part > SMALL || layers >= 1.0).then_some(TooSoft { node, overclosure, part, layers })
+        let layers = self.summary.beneath.map_or(0.0, |beneath| beneath / stiffness);
+        (part > 0.0 && overclosure > limit || layers >= A_LAYER).then_some(TooSoft { node, overclosure, part, layers })
     }
 
     fn side(&self, forces: &BTreeMap<u32, Vec3>, nodes: &[u32], turning: Vec3) -> SideForce {

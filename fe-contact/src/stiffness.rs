@@ -14,6 +14,8 @@ use std::collections::BTreeMap;
 pub const PENALTY_FACTOR: f64 = 10.0;
 /// See [`PENALTY_FACTOR`].
 pub const AUGMENTED_FACTOR: f64 = 1000.0;
+/// Of the final slope of a nonlinear penalty. See [`PENALTY_FACTOR`].
+pub const NONLINEAR_FACTOR: f64 = 100.0;
 
 /// What rounding leaves of no stiffness, of the largest [-].
 const ROUND_OFF: f64 = 1e-12;

@@ -58,6 +58,8 @@ impl MeasureKind {
 pub enum Means {
     /// A penalty alone.
     Penalty,
+    /// A penalty alone that grows up to an overclosure of so much [L].
+    NonlinearPenalty(f64),
     /// A penalty, and multipliers until the overclosure is at most so much [L].
     AugmentedLagrange(f64),
     /// Multipliers, until the overclosure is that of rounding.
@@ -66,12 +68,19 @@ pub enum Means {
     Mixed,
 }
 
+impl Means {
+    /// True without multipliers.
+    pub fn is_bare(self) -> bool {
+        matches!(self, Means::Penalty | Means::NonlinearPenalty(_))
+    }
+}
+
 /// The penalty beneath a contact, resolved.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PenaltySummary {
     /// What it is there for.
     pub means: Means,
-    /// Slope f K of pressure against overclosure (dimension by [`Summary::measure`]).
+    /// Slope f K of pressure against overclosure, the final one of a nonlinear penalty (dimension by [`Summary::measure`]).
     pub stiffness: f64,
     /// True when K is the default.
     pub by_default: bool,

@@ -2,7 +2,7 @@
 
 use crate::contact::Contact;
 use crate::enforce::{CLOSED, OPEN, SLIPPING};
-use crate::law::NormalResponse;
+use crate::law::{NormalLaw, NormalResponse};
 use crate::point::{ContactPoint, ContactStatus, Kinematics, dot};
 use crate::slip::Along;
 use fe_core::term::{Equilibrium, Overlap};
@@ -54,10 +54,15 @@ impl Contact {
     /// The law's answer. At the kink, within round-off of the model's size, the point touches: it is closed and
     /// has the stiffness of the closed side, or one of that size, so that a body that just touches is held.
     pub fn respond(&self, gap: f64) -> (NormalResponse, ContactStatus) {
-        let kink = self.law.reach();
-        let mut answer = self.law.respond(gap);
+        self.respond_by(&*self.law, gap)
+    }
+
+    /// The same of another law.
+    pub(crate) fn respond_by(&self, law: &dyn NormalLaw, gap: f64) -> (NormalResponse, ContactStatus) {
+        let kink = law.reach();
+        let mut answer = law.respond(gap);
         if (gap - kink).abs() <= self.touch {
-            answer.stiffness = answer.stiffness.max(self.law.typical_stiffness());
+            answer.stiffness = answer.stiffness.max(law.typical_stiffness());
         }
         let closed = gap <= kink + self.touch;
         (answer, if closed { ContactStatus::Closed } else { ContactStatus::Open })

@@ -47,6 +47,8 @@ fn garbled_decks_never_panic() {
         include_str!("good/odd.inp"),
         include_str!("good/contact.inp"),
         include_str!("good/requests.inp"),
+        include_str!("good/behaviors.inp"),
+        include_str!("bad/law_formula_words.inp"),
         include_str!("bad/rigid_profile.inp"),
         include_str!("bad/loads.inp"),
         include_str!("bad/controls.inp"),

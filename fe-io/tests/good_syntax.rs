@@ -52,6 +52,24 @@ fn included_files_and_meshes_are_looked_up_beside_the_deck() {
     assert_eq!(read.steps[0].place.line, 2);
 }
 
+/// Penalties, linear and not, and a formula; what is left blank of a nonlinear penalty is 0.03, 0.01 and 1/3.
+#[test]
+fn behaviors() {
+    let model = model(include_str!("good/behaviors.inp"));
+    let of = |i: usize| &model.interactions[i].normal;
+    let NormalBehavior::Hard(Enforcement::NonlinearPenalty(usual)) = of(0) else { panic!("{:?}", of(0)) };
+    assert_eq!(usual.last, Penalty { stiffness: None, clearance: 0.0, scale: 1.0 });
+    assert_eq!((usual.upper, usual.initial, usual.lower), (0.03, 0.01, 1.0 / 3.0));
+    let NormalBehavior::Hard(Enforcement::NonlinearPenalty(given)) = of(1) else { panic!("{:?}", of(1)) };
+    assert_eq!(given.last, Penalty { stiffness: Some(2e5), clearance: 0.01, scale: 0.5 });
+    assert_eq!((given.upper, given.initial, given.lower), (0.06, 0.02, 0.5));
+    let NormalBehavior::Hard(Enforcement::Penalty(linear)) = of(2) else { panic!("{:?}", of(2)) };
+    assert_eq!(linear.stiffness, Some(1000.0));
+    let NormalBehavior::Softened(formula) = of(3) else { panic!("{:?}", of(3)) };
+    // K c² + 2 K c h = 400 + 8000 h.
+    assert!((formula.respond(-0.05).pressure - 800.0).abs() < 1e-10);
+}
+
 #[test]
 fn contact_cards() {
     let model = model(include_str!("good/contact.inp"));

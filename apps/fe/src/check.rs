@@ -3,7 +3,7 @@
 use crate::approach::free_bodies;
 use crate::course::Course;
 use crate::fields::needs_recovery;
-use crate::job::{JobFailure, enter};
+use crate::job::{JobFailure, enter, scene};
 use crate::plan::{Matrix, Plan};
 use crate::printed;
 use crate::recorder::chosen_fields;
@@ -31,10 +31,9 @@ pub fn check(deck: &Path, library: &Library) -> Result<String, JobFailure> {
     let mut rest = terms.rest();
     let mut course = Course::new(&model);
     for (index, step) in model.steps.iter().enumerate() {
-        let released = terms.enter(step, &mut rest);
-        let scene = enter(&model, &terms, (index, released), &mut course, &rest)?;
-        let free = scene.free();
-        let fixed: Vec<bool> = free.iter().map(|f| !f).collect();
+        enter(&model, &mut terms, index, &mut course, &mut rest);
+        let scene = scene(&terms, step, &course)?;
+        let (free, fixed) = (scene.free(), course.fixed(rest.u.len()));
         let matrix = free.contains(&true).then(|| {
             let (mut solver, pattern) = (Multifrontal::default(), scene.pattern());
             solver.analyse(&pattern, &free, &scene.changing());

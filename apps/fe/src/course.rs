@@ -91,6 +91,11 @@ impl Course {
         }
     }
 
+    /// True for each of so many freedoms that the step prescribes.
+    pub fn fixed(&self, freedoms: usize) -> Vec<bool> {
+        (0..freedoms).map(|f| self.supports.contains_key(&f)).collect()
+    }
+
     /// Prescribed freedoms of the step, ascending.
     pub fn prescribed(&self) -> Vec<(usize, Ramp)> {
         self.supports.iter().map(|(f, ramp)| (*f, ramp.clone())).collect()

@@ -120,34 +120,25 @@ fn steps(
     let mut course = Course::new(model);
     for (index, step) in model.steps.iter().enumerate() {
         let number = index + 1;
-        let released = terms.enter(step, at);
-        StepRun { model, terms, released, step, number, observer, recorder }.run(&mut course, at, certificate)?;
+        enter(model, terms, index, &mut course, at);
+        StepRun { terms, step, number, observer, recorder }.run(&course, at, certificate)?;
     }
     Ok(())
 }
 
 /// One step of a job.
 struct StepRun<'a, 'o> {
-    model: &'a Model,
     terms: &'a Terms,
     step: &'a Step,
-    /// Forces [F] of contacts that it removes, by freedom.
-    released: Vec<(usize, f64)>,
     number: usize,
     observer: &'o mut dyn Observer,
     recorder: &'o mut Recorder,
 }
 
 impl StepRun<'_, '_> {
-    fn run(
-        &mut self,
-        course: &mut Course,
-        at: &mut Converged,
-        certificate: &mut RunCertificate,
-    ) -> Result<(), JobFailure> {
-        let released = std::mem::take(&mut self.released);
-        let scene = enter(self.model, self.terms, (self.number - 1, released), course, at)?;
-        let fixed: Vec<bool> = scene.free().iter().map(|f| !f).collect();
+    fn run(&mut self, course: &Course, at: &mut Converged, certificate: &mut RunCertificate) -> Result<(), JobFailure> {
+        let scene = scene(self.terms, self.step, course)?;
+        let fixed = course.fixed(at.u.len());
         let free =
             free_bodies(&self.terms.structure, &self.terms.freedoms, &self.terms.bodies, &fixed, &self.terms.contacts);
         at.step_time = 0.0;
@@ -325,19 +316,19 @@ impl StepRun<'_, '_> {
     }
 }
 
-/// The scene of a step, by its index: what acts in it, from the state that it starts with. `released` are the forces [F]
-/// of contacts that it removes.
-pub fn enter<'a>(
-    model: &Model,
-    terms: &'a Terms,
-    (index, released): (usize, Vec<(usize, f64)>),
-    course: &mut Course,
-    at: &Converged,
-) -> Result<Scene<'a>, JobFailure> {
+/// Enters a step, by its index, from the state that it starts with: what it says of contacts, supports and loads holds from
+/// now on.
+pub fn enter(model: &Model, terms: &mut Terms, index: usize, course: &mut Course, at: &mut Converged) {
     let step = &model.steps[index];
     let initial: &[_] = if index == 0 { &model.supports } else { &[] };
+    let released = terms.enter(step, at);
     course.enter(initial, step, &terms.freedoms, at);
     course.release(released);
+    terms.hold(&course.fixed(at.u.len()));
+}
+
+/// The scene of a step that was entered: what acts in it.
+pub fn scene<'a>(terms: &'a Terms, step: &Step, course: &Course) -> Result<Scene<'a>, JobFailure> {
     let external = course
         .external(&terms.structure, &terms.freedoms)
         .map_err(|error| JobFailure::Deck(format!("{}:{}: {error}", step.place.file, step.place.line)))?;

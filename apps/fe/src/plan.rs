@@ -201,11 +201,18 @@ fn contact_in_words(pair: &Contact) -> String {
     let dimension = s.measure.stiffness_dimension();
     let law = match s.penalty {
         Some(p) => {
-            let factor = if p.means == Means::Penalty { "ten" } else { "a thousand" };
+            let factor = match p.means {
+                Means::Penalty => "ten",
+                Means::NonlinearPenalty(_) => "a hundred",
+                _ => "a thousand",
+            };
             let origin = if p.by_default { format!("{factor} times the elements beneath") } else { "as given".into() };
             let penalty = format!("{:.6e} {dimension} ({origin}, scale {})", p.stiffness, p.scale);
             match p.means {
                 Means::Penalty => format!("hard by penalty, {penalty}"),
+                Means::NonlinearPenalty(_) => {
+                    format!("hard by nonlinear penalty, {}; final slope {penalty}", pair.law().words(s.measure))
+                }
                 Means::AugmentedLagrange(allowed) => {
                     format!(
                         "hard by augmented Lagrange, overclosures up to {allowed:.3e} L are left; penalty {penalty}"
@@ -214,7 +221,11 @@ fn contact_in_words(pair: &Contact) -> String {
                 Means::Multipliers => format!("hard by multipliers, found by augmenting a penalty of {penalty}"),
                 Means::Mixed => {
                     let law = pair.law().words(s.measure);
-                    format!("{law}, with multipliers, found by augmenting a penalty of {penalty}")
+                    let stuck = match pair.stuck_points() {
+                        0 => String::new(),
+                        count => format!("; {count} points that prescribed freedoms alone move have none"),
+                    };
+                    format!("{law}, with multipliers, found by augmenting a penalty of {penalty}{stuck}")
                 }
             }
         }
@@ -266,7 +277,7 @@ fn leaves_out(terms: &Terms, unknowns: usize) -> Vec<String> {
             let why = if pairs { "every main surface is rigid" } else { "contact elements name their nodes" };
             out.push(format!("contact search: {why}"));
         }
-        let bare = |p: &Contact| p.summary().penalty.is_none_or(|penalty| penalty.means == Means::Penalty);
+        let bare = |p: &Contact| p.summary().penalty.is_none_or(|penalty| penalty.means.is_bare());
         if terms.contacts.iter().all(bare) {
             out.push("multipliers: a penalty or a law carries the contact".into());
         }

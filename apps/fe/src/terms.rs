@@ -114,6 +114,11 @@ impl Terms {
         released
     }
 
+    /// Is told which freedoms the step prescribes.
+    pub fn hold(&mut self, fixed: &[bool]) {
+        self.contacts.iter_mut().for_each(|contact| contact.hold(fixed));
+    }
+
     /// All terms.
     pub fn all(&self) -> Vec<&dyn Term> {
         let solids = self.solids.iter().map(|block| block as &dyn Term);

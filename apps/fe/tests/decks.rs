@@ -115,12 +115,19 @@ fn check(name: &str) {
     assert!(count > 0, "no expectation was checked");
 }
 
-/// A misspelt card is refused with its line and the nearest known card.
+/// Bad decks are refused with the line and the words that their headers expect, and leave no results.
 #[test]
-fn bad_card_name() {
-    let scratch = Scratch::with_decks("bad_card_name");
-    let run = scratch.fe(&["run", "bad_card_name.inp", "--quiet"]);
-    assert_eq!(run.status, 1);
-    assert!(run.error.contains("bad_card_name.inp:23") && run.error.contains("`BOUNDARY`"), "{}", run.error);
-    assert!(!scratch.path("bad_card_name.vtkhdf").exists());
+fn bad_decks() {
+    for (name, lines, words) in [
+        ("bad_card_name", 23..=23, &["`BOUNDARY`"][..]),
+        ("bad_no_separation_softened", 19..=20, &["NO SEPARATION", "softened"]),
+        ("bad_scale_factor_standard", 19..=20, &["SCALE FACTOR", "general contact in Explicit"]),
+    ] {
+        let scratch = Scratch::with_decks(name);
+        let run = scratch.fe(&["run", &format!("{name}.inp"), "--quiet"]);
+        assert_eq!(run.status, 1, "{name}");
+        let placed = lines.clone().any(|line| run.error.contains(&format!("{name}.inp:{line}:")));
+        assert!(placed && words.iter().all(|word| run.error.contains(word)), "{name}: {}", run.error);
+        assert!(!scratch.path(&format!("{name}.vtkhdf")).exists(), "{name}");
+    }
 }

@@ -4,7 +4,6 @@ use super::{Coulomb, Friction, Spring, Stick};
 use crate::carry::{Carried, Ground};
 use crate::enforce::Multipliers;
 use crate::slip::Tangential;
-use crate::summary::Means;
 
 impl Carried {
     /// Where points stick exactly, the springs beneath the multipliers are those of the pressure, or a thousand times the
@@ -15,7 +14,7 @@ impl Carried {
         let exact = Multipliers { slope, length: ground.length, allowed: self.multipliers.and_then(|m| m.allowed) };
         match friction {
             Friction::Rough => {
-                let penalty = self.penalty.filter(|p| p.means == Means::Penalty);
+                let penalty = self.penalty.filter(|p| p.means.is_bare());
                 let spring = Spring::Stiffness(penalty.map_or(slope, |p| p.stiffness));
                 Tangential { law: Coulomb { limit: None, spring }, multipliers: penalty.is_none().then_some(exact) }
             }

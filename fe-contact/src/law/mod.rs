@@ -3,6 +3,7 @@
 pub mod exponential;
 pub mod formula;
 pub mod linear;
+pub mod nonlinear_penalty;
 pub mod scale_factor;
 pub mod series;
 pub mod tabular;

@@ -19,11 +19,8 @@ pub const SURFACE_BEHAVIOR: Keyword = Keyword {
         ),
         Parameter::of(
             "PENALTY",
-            Kind::OptionalChoice(&[
-                Choice::there("LINEAR"),
-                Choice::not_yet("NONLINEAR", "say `PENALTY=LINEAR`, with a stiffness in the data line if need be"),
-            ]),
-            "hard contact by a penalty p = f K (h + c)",
+            Kind::OptionalChoice(&[Choice::there("LINEAR"), Choice::there("NONLINEAR")]),
+            "hard contact by a penalty p = f K (h + c); NONLINEAR: with a slope that grows from a part of f K to f K",
         ),
         Parameter::flag(
             "AUGMENTED LAGRANGE",
@@ -34,6 +31,7 @@ pub const SURFACE_BEHAVIOR: Keyword = Keyword {
     ],
     data: Data::Lines(&[
         DataLine::optional(PENALTY).when("PENALTY or AUGMENTED LAGRANGE"),
+        DataLine::optional(NONLINEAR_PENALTY).when("PENALTY=NONLINEAR"),
         DataLine::many(&[]).when("a law: its numbers"),
         DataLine::many(FORMULA).when("FORMULA: definitions in any order, each by others if need be"),
         DataLine::once(SCALE_FACTOR)
@@ -49,6 +47,23 @@ pub const PENALTY: &[Field] = &[
         .above(0.0),
     Field::number("clearance", "L", "clearance c at which the pressure vanishes").or("0"),
     Field::number("scale", "-", "factor f on K").or("1").above(0.0),
+];
+
+/// The data line of hard contact by a penalty that grows.
+pub const NONLINEAR_PENALTY: &[Field] = &[
+    Field::number("final stiffness", "F/L³", "penalty stiffness K of large overclosures")
+        .or("100 × the stiffness of the elements beneath")
+        .above(0.0),
+    Field::number("clearance", "L", "clearance c at which the pressure vanishes").or("0"),
+    Field::number("scale", "-", "factor f on K").or("1").above(0.0),
+    Field::number("upper limit", "-", "overclosure h + c from which on the slope is f K, over the facets' length")
+        .or("0.03")
+        .above(0.0),
+    Field::number("initial stiffness", "-", "slope where contact begins, over f K").or("0.01").above(0.0).below(1.0),
+    Field::number("lower limit", "-", "overclosure up to which the initial slope holds, over that of the upper limit")
+        .or("1/3")
+        .least(0.0)
+        .below(1.0),
 ];
 
 /// The data lines of a law written as a formula.

@@ -1,8 +1,7 @@
 //! `*SURFACE INTERACTION`, or the card of contact elements, with its `*SURFACE BEHAVIOR` and its `*FRICTION`.
 
-use super::formula;
-use super::friction;
 use super::nodes::fields;
+use super::{formula, friction, hard};
 use crate::deck::Deck;
 use crate::deck::card::{Card, normalized};
 use crate::deck::source::Span;
@@ -11,7 +10,7 @@ use crate::keyword::check::Entry;
 use crate::keyword::row::{Row, of_law};
 use crate::keyword::{self, Field, Known, surface_behavior};
 use fe_contact::friction::Friction;
-use fe_contact::interaction::{Enforcement, Interaction, NormalBehavior, Penalty};
+use fe_contact::interaction::{Enforcement, Interaction, NormalBehavior};
 use fe_contact::law::scale_factor::Scaling;
 use fe_contact::law::{Datum, LawDefinition, Laws, Lines, NormalLaw};
 use fe_contact::verify::{self, LawFault};
@@ -62,6 +61,12 @@ impl Interactions {
                 let title = format!("`*{}` stands under no {PARENTS_IN_WORDS}", entry.keyword.name);
                 diagnostics
                     .push(Diagnostic::error(entry.card.span, title).help("it follows the card that it describes"));
+            }
+            let user = of.and_then(|card| card.parameters.iter().find(|p| keyword::same("USER", &p.name)));
+            if let Some(user) = user.filter(|_| entry.keyword.name == "SURFACE BEHAVIOR") {
+                let title = "`*SURFACE BEHAVIOR` cannot stand under a `*SURFACE INTERACTION` with `USER`";
+                diagnostics
+                    .push(Diagnostic::error(entry.card.span, title).related(user.span, "the law is all its own"));
             }
             let of = of.and_then(|parent| all.of_card(parent.span));
             if entry.keyword.name == "FRICTION" {
@@ -164,7 +169,7 @@ fn behavior(entry: &Entry<'_>, given: Given<'_>, diagnostics: &mut Diagnostics) 
             return None;
         }
         (Some(_), Some(law)) => softened(entry, given, law, diagnostics),
-        (None, _) => hard(entry, deck, diagnostics),
+        (None, _) => hard::read(entry, deck, diagnostics),
     };
     behavior.filter(|_| diagnostics.faults() == before)
 }
@@ -291,29 +296,7 @@ fn scale_factor(entry: &Entry<'_>, deck: &Deck, diagnostics: &mut Diagnostics) {
     }
 }
 
-fn hard(entry: &Entry<'_>, deck: &Deck, diagnostics: &mut Diagnostics) -> Option<NormalBehavior> {
-    let of = |penalty| match (entry.has("PENALTY"), entry.has("AUGMENTED LAGRANGE")) {
-        (true, _) => Enforcement::Penalty(penalty),
-        (_, true) => Enforcement::AugmentedLagrange(penalty),
-        _ if entry.has("DIRECT") => Enforcement::Direct,
-        _ => Enforcement::Usual,
-    };
-    let mut lines = deck.lines(entry.card);
-    let Some(line) = lines.next() else { return Some(NormalBehavior::Hard(of(Penalty::default()))) };
-    if matches!(of(Penalty::default()), Enforcement::Direct | Enforcement::Usual) {
-        let fault = Diagnostic::error(line.span, "hard contact has no data line");
-        diagnostics.push(fault.help(
-            "for a penalty stiffness say `*SURFACE BEHAVIOR, PENALTY`; for a slope `PRESSURE-OVERCLOSURE=LINEAR`",
-        ));
-        return None;
-    }
-    let row = Row::read(line, surface_behavior::PENALTY, diagnostics);
-    too_many(lines.next(), diagnostics);
-    let (stiffness, clearance, scale) = (row.number(0), row.number(1).unwrap_or(0.0), row.number(2).unwrap_or(1.0));
-    row.sound.then_some(NormalBehavior::Hard(of(Penalty { stiffness, clearance, scale })))
-}
-
-fn too_many(line: Option<crate::deck::card::Line<'_>>, diagnostics: &mut Diagnostics) {
+pub(super) fn too_many(line: Option<crate::deck::card::Line<'_>>, diagnostics: &mut Diagnostics) {
     if let Some(line) = line {
         diagnostics
             .push(Diagnostic::error(line.span, "this is one data line too many").label("`*SURFACE BEHAVIOR` has one"));

@@ -15,6 +15,7 @@ mod elements;
 mod faces;
 mod formula;
 mod friction;
+mod hard;
 mod interactions;
 mod interferences;
 mod labels;
