@@ -89,7 +89,7 @@ fn each_translation_has_its_stiffness() {
     let middle = across(10.0) + across(20.0);
     let exact = [
         [axial / 10.0 + axial / 20.0, middle, middle],
-        [axial / 20.0, 1e6 + across(20.0), across(20.0)],
+        [axial / 20.0, across(20.0), 1e6 + across(20.0)],
         [0.0; 3],
         [0.0; 3],
     ];
