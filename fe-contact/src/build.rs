@@ -20,6 +20,7 @@ use crate::summary::{MeasureKind, Origin, Summary};
 use crate::surface::{Main, Secondary};
 use crate::surface_to_surface::{self, Constraints, RigidSide};
 use crate::tangents::Space;
+use crate::viscous::Viscous;
 use fe_core::{Freedoms, Structure};
 use fe_mesh::CellId;
 use std::collections::BTreeMap;
@@ -126,8 +127,7 @@ impl Contact {
             activity: Activity::Acting,
             allowance: None,
             origin: (interaction.normal.clone(), ground, Overrides::default()),
-            resistance: None,
-            spent: 0.0,
+            viscous: Viscous { given: interaction.damping, ..Viscous::default() },
         })
     }
 }

@@ -4,7 +4,7 @@ use crate::carry::Carried;
 use crate::contact::Contact;
 use crate::interference::{Allowance, Interference};
 use crate::law::NormalLaw;
-use crate::viscous::{Resistance, Stabilization};
+use crate::viscous::Stabilization;
 
 /// What a step says of one contact; by default nothing.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -57,7 +57,7 @@ impl Contact {
     /// Enters a step of which the conditions hold; `time` is the total one [T] at its start, and its period [T]. `history` is
     /// the contact's, and becomes what the step starts with.
     pub fn enter(&mut self, conditions: &Conditions, time: (f64, f64), history: &mut Vec<f64>) {
-        self.spent = self.stabilized(history);
+        let taken = self.taken(history);
         self.activity = conditions.activity;
         history.truncate(self.numbers());
         self.carry(conditions.overrides, history);
@@ -68,9 +68,7 @@ impl Contact {
         let interference = conditions.interference.as_ref();
         self.allowance = interference.map(|interference| Allowance::new(self, interference, time));
         history.extend(self.allowance.as_ref().map(|allowance| allowance.first));
-        let stabilization = conditions.stabilization.as_ref().filter(|_| self.acts());
-        self.resistance = stabilization.map(|s| Resistance::new(self, s, time.1, history.len()));
-        history.extend(self.resistance.as_ref().map(|_| 0.0));
+        self.resist_in_step(conditions.stabilization.as_ref(), time.1, taken, history);
     }
 
     /// Enforces hard contact otherwise from now on. Multipliers keep their pressures.
@@ -114,15 +112,15 @@ impl Contact {
         self.stuck.iter().filter(|stuck| **stuck).count()
     }
 
-    /// True where the step resists motions along its surface, too.
+    /// True where something resists motions along its surface, too.
     pub fn holds_along(&self) -> bool {
-        self.resistance.as_ref().is_some_and(|r| r.coefficients[1] > 0.0)
+        self.resistances().any(|r| r.coefficients[1] > 0.0)
     }
 
     /// Damping coefficients [F T/L³] of the step across and along the surface, and the clearance [L] up to which they act;
     /// `None` where nothing is stabilised.
     pub fn stabilization(&self) -> Option<([f64; 2], f64)> {
-        self.resistance.as_ref().map(|r| (r.coefficients, r.fall[1]))
+        self.viscous.stabilization.as_ref().map(|r| (r.coefficients, r.fall[1]))
     }
 
     /// False where the step has removed it.

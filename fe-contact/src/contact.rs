@@ -13,7 +13,7 @@ use crate::sides::Prepared;
 use crate::slip::Tangential;
 use crate::summary::Summary;
 use crate::term::Blocks;
-use crate::viscous::Resistance;
+use crate::viscous::Viscous;
 use fe_mesh::CellId;
 use std::collections::BTreeMap;
 use std::ops::Range;
@@ -61,10 +61,8 @@ pub struct Contact {
     pub(crate) allowance: Option<Allowance>,
     /// What the law was made of, and what the present step overrides of it.
     pub(crate) origin: (NormalBehavior, Ground, Overrides),
-    /// What stabilises it in the present step.
-    pub(crate) resistance: Option<Resistance>,
-    /// Energy [F L] that stabilisation took in the steps before.
-    pub(crate) spent: f64,
+    /// What resists the motion of its surfaces.
+    pub(crate) viscous: Viscous,
 }
 
 impl Contact {
@@ -130,7 +128,7 @@ impl Contact {
                 let freedoms = self.places[i].iter().cloned().flatten();
                 forces.extend(row.iter().zip(freedoms).map(|(d, f)| (f, force * p.measure.value() * d)));
             };
-            add(&here.row, answer.pressure);
+            add(&here.row, answer.pressure + self.damped(i, history));
             slide.iter().flat_map(|slide| slide.rows.iter().zip(shear)).for_each(|(row, shear)| add(row, -shear));
             forces
         };

@@ -3,6 +3,7 @@
 use crate::friction::Friction;
 use crate::law::NormalLaw;
 use crate::law::nonlinear_penalty::NonlinearPenalty;
+use crate::viscous::Damping;
 use std::sync::Arc;
 
 /// How the surfaces answer in normal direction.
@@ -97,6 +98,8 @@ pub struct Interaction {
     pub no_separation: bool,
     /// `*FRICTION`; `None`: the surfaces slide freely.
     pub friction: Option<Friction>,
+    /// `*CONTACT DAMPING`; `None`: the surfaces move freely.
+    pub damping: Option<Damping>,
     /// The data line: out-of-plane thickness [L] (plane models) or the area [L²] of every node of a node-based
     /// surface.
     pub measure: Option<f64>,

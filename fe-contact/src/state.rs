@@ -5,6 +5,7 @@ use crate::enforce::SLIPPING;
 use crate::facet::Vec3;
 use crate::point::{ContactStatus, Measure};
 use crate::summary::{Means, MeasureKind, Origin};
+use crate::viscous::Taken;
 use std::collections::BTreeMap;
 
 /// One point.
@@ -14,7 +15,7 @@ pub struct PointState {
     pub node: u32,
     /// Gap [L], positive when open: COPEN.
     pub opening: f64,
-    /// The law's number (see [`Measure`]), positive in compression: CPRESS.
+    /// The law's number (see [`Measure`]), positive in compression, and what damping adds to it, on open points, too: CPRESS.
     pub pressure: f64,
     /// Open, closed or slipping: CSTATUS.
     pub status: ContactStatus,
@@ -54,8 +55,8 @@ pub struct ContactState {
     pub largest_overclosure: Option<(u32, f64)>,
     /// Node and amount of the largest tensile pressure that is not allowed; `None` when nothing pulls.
     pub largest_tension: Option<(u32, f64)>,
-    /// Energy [F L] that stabilisation has taken so far: ALLSD.
-    pub stabilized: f64,
+    /// Energies that damping and stabilisation have taken so far.
+    pub taken: Taken,
     /// Area [L²] of closed points that have one: CAREA.
     pub closed_area: f64,
 }
@@ -124,7 +125,7 @@ struct Forces {
 impl Contact {
     /// The state at a displacement, with the history that belongs to it.
     pub fn state(&self, u: &[f64], history: &[f64]) -> ContactState {
-        let mut state = ContactState { stabilized: self.stabilized(history), ..ContactState::default() };
+        let mut state = ContactState { taken: self.taken(history), ..ContactState::default() };
         let (mut normal, mut along) = (Forces::default(), Forces::default());
         for (i, p) in self.points.iter().enumerate() {
             let here = self.at(i, u);
@@ -138,13 +139,13 @@ impl Contact {
             let slips = closed != ContactStatus::Open && history[i] == SLIPPING;
             let status = if slips { ContactStatus::Slipping } else { closed };
             let measure = p.measure.value();
-            let pressure = answer.pressure;
+            let pressure = answer.pressure + self.damped(i, history);
             state.points.push(PointState { node: p.node, opening, pressure, status, shear, slip, measure: p.measure });
             if self.acts() {
                 keep_larger(&mut state.largest_overclosure, p.node, -opening);
             }
             if !self.no_separation {
-                keep_larger(&mut state.largest_tension, p.node, -pressure);
+                keep_larger(&mut state.largest_tension, p.node, -answer.pressure);
             }
             if let (ContactStatus::Closed | ContactStatus::Slipping, Measure::Area(a)) = (status, p.measure) {
                 state.closed_area += a;

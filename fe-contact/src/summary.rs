@@ -43,6 +43,15 @@ impl MeasureKind {
         }
     }
 
+    /// Dimension of a damping coefficient.
+    pub fn damping_dimension(self) -> &'static str {
+        match self {
+            MeasureKind::Pressure => "F T/L³",
+            MeasureKind::ForcePerLength => "F T/L²",
+            MeasureKind::Force => "F T/L",
+        }
+    }
+
     /// Dimension of a stiffness against the gap.
     pub fn stiffness_dimension(self) -> &'static str {
         match self {

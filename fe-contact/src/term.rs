@@ -136,7 +136,9 @@ impl Term for Contact {
     }
 
     fn history(&self) -> usize {
-        self.numbers() + usize::from(self.allowance.is_some()) + usize::from(self.resistance.is_some())
+        self.numbers()
+            + usize::from(self.allowance.is_some())
+            + self.resistances().map(|r| r.numbers(self.points.len())).sum::<usize>()
     }
 
     fn augment(&self, at: Equilibrium, old: &[f64], new: &mut [f64]) -> Option<Overlap> {

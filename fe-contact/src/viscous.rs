@@ -1,4 +1,5 @@
-//! What resists the motion of the surfaces against each other: stabilisation, in proportion to the velocity.
+//! What resists the motion of the surfaces against each other in proportion to the velocity: damping, which belongs to an
+//! interaction, and stabilisation, which a step adds.
 
 use crate::contact::Contact;
 use crate::facet::Vec3;
@@ -21,6 +22,20 @@ pub struct Stabilization {
     pub range: Option<f64>,
 }
 
+/// `*CONTACT DAMPING` of an interaction: p = μ(c) v against the speed v at which a clearance c closes. It acts on open points,
+/// too. Abaqus Analysis User's Manual, Contact damping.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Damping {
+    /// μ₀ [F T/L³], by the unit rule [F T/L²] or [F T/L].
+    pub coefficient: f64,
+    /// Clearance c₀ [L] from which on nothing acts.
+    pub clearance: f64,
+    /// η [-]: μ₀ acts in full up to η c₀, and falls straight from there to c₀.
+    pub constant_part: f64,
+    /// Coefficient along the surface over that across it [-].
+    pub tangent_fraction: f64,
+}
+
 /// A damping coefficient.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Coefficient {
@@ -34,7 +49,29 @@ pub enum Coefficient {
 /// elements would do against the same displacement.
 pub const AUTOMATIC: f64 = 1e-3;
 
-/// A stabilisation at the points of a contact.
+/// What resists in one contact.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Viscous {
+    /// What the interaction says.
+    pub given: Option<Damping>,
+    /// It, in the present step.
+    pub damping: Option<Resistance>,
+    /// What stabilises the contact in the present step.
+    pub stabilization: Option<Resistance>,
+    /// Energies of the steps before.
+    pub before: Taken,
+}
+
+/// Energies [F L] that were taken from the motion of the surfaces.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Taken {
+    /// By damping.
+    pub damping: f64,
+    /// By stabilisation: ALLSD.
+    pub stabilization: f64,
+}
+
+/// A resistance at the points of a contact.
 #[derive(Clone, Debug)]
 pub(crate) struct Resistance {
     /// Coefficients [F T/L³] across and along the surface.
@@ -43,15 +80,26 @@ pub(crate) struct Resistance {
     pub fall: [f64; 2],
     /// Factor at the end of the step, and its period [T].
     pub course: (f64, f64),
-    /// Derivatives of the motion along the surface by the freedoms of each point's nodes, in one or two directions.
+    /// Derivatives of the motion along the surface by the freedoms of each point's nodes, in one or two directions; empty
+    /// where nothing acts along it.
     along: Vec<Vec<Vec<f64>>>,
-    /// Where the energy it takes stands in the history.
+    /// Where the energy it takes stands in the history, before the pressures of the points if they are kept.
     place: usize,
+    /// Whether the pressures are kept, as part of CPRESS.
+    keeps_pressures: bool,
 }
 
 impl Resistance {
-    /// For a step of so long a `period` [T]; `place` is its own in the history.
-    pub fn new(contact: &Contact, stabilization: &Stabilization, period: f64, place: usize) -> Self {
+    /// Damping in a step of so long a `period` [T]; `place` is its own in the history.
+    pub fn damping(contact: &Contact, damping: &Damping, period: f64, place: usize) -> Self {
+        let coefficients = [damping.coefficient, damping.tangent_fraction * damping.coefficient];
+        let fall = [damping.constant_part * damping.clearance, damping.clearance];
+        let along = all_along(contact, coefficients);
+        Resistance { coefficients, fall, course: (1.0, period), along, place, keeps_pressures: true }
+    }
+
+    /// Stabilisation in a step of so long a `period` [T]; `place` is its own in the history.
+    pub fn stabilization(contact: &Contact, stabilization: &Stabilization, period: f64, place: usize) -> Self {
         let coefficient = match stabilization.coefficient {
             Coefficient::Given(coefficient) => coefficient,
             Coefficient::Automatic(factor) => {
@@ -60,22 +108,38 @@ impl Resistance {
             }
         };
         let range = stabilization.range.or(Some(contact.length)).filter(|l| *l > 0.0).unwrap_or(f64::INFINITY);
-        let along = (0..contact.points.len()).map(|i| along(contact, i)).collect();
-        Resistance {
-            coefficients: [coefficient, stabilization.tangent_fraction * coefficient],
-            fall: [0.5 * range, range],
-            course: (stabilization.end, period),
-            along,
-            place,
-        }
+        let coefficients = [coefficient, stabilization.tangent_fraction * coefficient];
+        let along = all_along(contact, coefficients);
+        let (fall, course) = ([0.5 * range, range], (stabilization.end, period));
+        Resistance { coefficients, fall, course, along, place, keeps_pressures: false }
     }
 
-    /// Factor [-] at a clearance [L], of an increment: the mean over its time, so that the last one has some, too.
-    fn factor(&self, clearance: f64, at: &Motion) -> f64 {
-        let ([from, to], (end, period)) = (self.fall, self.course);
-        let near = if clearance <= from { 1.0 } else { ((to - clearance) / (to - from)).max(0.0) };
-        near * (1.0 + (end - 1.0) * ((at.step_time - 0.5 * at.dt) / period))
+    /// Numbers of history.
+    pub fn numbers(&self, points: usize) -> usize {
+        if self.keeps_pressures { 1 + points } else { 1 }
     }
+
+    /// Factor [-] at a clearance [L] and its slope [1/L], of an increment: the mean over its time, so that the last one has
+    /// some, too.
+    fn factor(&self, clearance: f64, at: &Motion) -> [f64; 2] {
+        let ([from, to], (end, period)) = (self.fall, self.course);
+        let near = if clearance <= from {
+            [1.0, 0.0]
+        } else if clearance < to {
+            [(to - clearance) / (to - from), -1.0 / (to - from)]
+        } else {
+            [0.0; 2]
+        };
+        near.map(|near| near * (1.0 + (end - 1.0) * ((at.step_time - 0.5 * at.dt) / period)))
+    }
+}
+
+/// Rows of all points along the surface, where a coefficient asks for them.
+fn all_along(contact: &Contact, coefficients: [f64; 2]) -> Vec<Vec<Vec<f64>>> {
+    if coefficients[1] == 0.0 {
+        return Vec::new();
+    }
+    (0..contact.points.len()).map(|i| along(contact, i)).collect()
 }
 
 /// Rows of a point in the directions along its surface. The nodes' weights are those of its gap.
@@ -103,12 +167,48 @@ fn along(contact: &Contact, point: usize) -> Vec<Vec<f64>> {
 }
 
 impl Contact {
-    /// Energy [F L] that stabilisation has taken so far, by the history of an evaluation.
-    pub(crate) fn stabilized(&self, history: &[f64]) -> f64 {
-        self.spent + self.resistance.as_ref().map_or(0.0, |r| history[r.place])
+    /// What damps the surfaces; `None` where nothing does, or the step has removed the contact.
+    pub fn damping(&self) -> Option<&Damping> {
+        self.viscous.given.as_ref().filter(|_| self.acts())
     }
 
-    /// Adds the resistance at all points, and keeps the energy that it takes in the increment.
+    /// Begins a step with its resistances, which keep their numbers at the end of `history`; it ends with what is kept over
+    /// steps, and what it had of the step before is in `before`.
+    pub(crate) fn resist_in_step(
+        &mut self,
+        stabilization: Option<&Stabilization>,
+        period: f64,
+        before: Taken,
+        history: &mut Vec<f64>,
+    ) {
+        self.viscous.before = before;
+        let damping = self.damping().map(|d| Resistance::damping(self, d, period, history.len()));
+        let numbers = |resistance: &Option<Resistance>| resistance.as_ref().map_or(0, |r| r.numbers(self.points.len()));
+        history.resize(history.len() + numbers(&damping), 0.0);
+        let stabilization = stabilization.filter(|_| self.acts());
+        let stabilization = stabilization.map(|s| Resistance::stabilization(self, s, period, history.len()));
+        history.resize(history.len() + numbers(&stabilization), 0.0);
+        (self.viscous.damping, self.viscous.stabilization) = (damping, stabilization);
+    }
+
+    /// What resists in the present step.
+    pub(crate) fn resistances(&self) -> impl Iterator<Item = &Resistance> {
+        self.viscous.damping.iter().chain(&self.viscous.stabilization)
+    }
+
+    /// Energies taken so far, by the history of an evaluation.
+    pub(crate) fn taken(&self, history: &[f64]) -> Taken {
+        let of = |resistance: &Option<Resistance>| resistance.as_ref().map_or(0.0, |r| history[r.place]);
+        let Viscous { damping, stabilization, before, .. } = &self.viscous;
+        Taken { damping: before.damping + of(damping), stabilization: before.stabilization + of(stabilization) }
+    }
+
+    /// Pressure of a point by damping, in the law's unit.
+    pub(crate) fn damped(&self, point: usize, history: &[f64]) -> f64 {
+        self.viscous.damping.as_ref().map_or(0.0, |r| history[r.place + 1 + point])
+    }
+
+    /// Adds all resistances at all points, and keeps the energy that they take in the increment.
     pub(crate) fn resist(
         &self,
         at: &Motion,
@@ -116,26 +216,52 @@ impl Contact {
         blocks: Option<&Blocks>,
         out: &mut Assembly,
     ) {
-        let Some(resistance) = self.resistance.as_ref().filter(|_| at.dt > 0.0) else { return };
-        let mut taken = 0.0;
-        for (i, p) in self.points.iter().enumerate() {
-            let here = self.at(i, at.u);
-            let factor = resistance.factor(here.gap + self.allowed(i, new), at) * p.measure.value();
-            if factor == 0.0 {
-                continue;
-            }
-            let [across, along] = resistance.coefficients.map(|c| factor * c / at.dt);
-            let sideways = resistance.along[i].iter().map(|row| (along, row.as_slice()));
-            for (stiffness, row) in std::iter::once((across, &*here.row)).chain(sideways) {
-                let moved = dot(row, at.du, &self.places[i]);
-                taken += stiffness * moved * moved;
-                add(row, stiffness * moved, &self.places[i], out.residual);
-                if let (Some(blocks), Some(matrix)) = (blocks, out.stiffness.as_deref_mut()) {
-                    self.add_stiffness(i, (stiffness, row), blocks, matrix);
+        for resistance in self.resistances().filter(|_| at.dt > 0.0) {
+            let mut taken = 0.0;
+            for i in 0..self.points.len() {
+                let (pressure, energy) = self.resist_at(i, (resistance, at), self.allowed(i, new), blocks, out);
+                taken += energy;
+                if resistance.keeps_pressures {
+                    new[resistance.place + 1 + i] = pressure;
                 }
             }
+            new[resistance.place] = old[resistance.place] + taken;
         }
-        new[resistance.place] = old[resistance.place] + taken;
+    }
+
+    /// One point, of which an overclosure is `allowed`: its pressure, and the energy it takes in the increment.
+    fn resist_at(
+        &self,
+        point: usize,
+        (resistance, at): (&Resistance, &Motion),
+        allowed: f64,
+        blocks: Option<&Blocks>,
+        out: &mut Assembly,
+    ) -> (f64, f64) {
+        let (here, places) = (self.at(point, at.u), &self.places[point]);
+        let [factor, slope] = resistance.factor(here.gap + allowed, at);
+        if factor == 0.0 {
+            return (0.0, 0.0);
+        }
+        let measure = self.points[point].measure.value();
+        let [across, along] = resistance.coefficients.map(|c| c * measure / at.dt);
+        let opened = dot(&here.row, at.du, places);
+        let force = across * factor * opened;
+        let mut taken = force * opened;
+        add(&here.row, force, places, out.residual);
+        // Opening out of reach the force falls again, and the matrix is to stay positive definite.
+        let mut parts = vec![(across * (factor + slope * opened).max(0.0), &*here.row)];
+        parts.extend(here.bending.iter().map(|(turning, row)| (force * turning, row.as_slice())));
+        for row in resistance.along.get(point).into_iter().flatten() {
+            let slid = dot(row, at.du, places);
+            taken += along * factor * slid * slid;
+            add(row, along * factor * slid, places, out.residual);
+            parts.push((along * factor, row));
+        }
+        if let (Some(blocks), Some(matrix)) = (blocks, out.stiffness.as_deref_mut()) {
+            parts.into_iter().for_each(|part| self.add_stiffness(point, part, blocks, matrix));
+        }
+        (-force / measure, taken)
     }
 }
 

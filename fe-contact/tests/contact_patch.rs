@@ -89,6 +89,7 @@ fn deviation(patch: &Patch, enforcement: Enforcement) -> f64 {
         normal: NormalBehavior::Hard(enforcement),
         no_separation: false,
         friction: None,
+        damping: None,
         measure: None,
     };
     let pair = Contact::of_pair(structure, &freedoms, &definition, &interaction).unwrap();

@@ -84,6 +84,7 @@ fn solve(element: ElementType, n: usize, discretization: Discretization, direct:
         normal: NormalBehavior::Hard(enforcement),
         no_separation: false,
         friction: None,
+        damping: None,
         measure: None,
     };
     let pair = Contact::of_pair(&structure, &freedoms, &definition, &interaction).unwrap();

@@ -3,6 +3,7 @@
 use crate::number::scientific;
 use crate::terms::Terms;
 use fe_contact::state::ContactState;
+use fe_contact::viscous::Taken;
 use fe_core::element::Family;
 use fe_core::procedure::{Converged, Convergence, Energy, Seconds};
 use std::fmt;
@@ -34,14 +35,14 @@ pub struct Certificate {
     pub imbalance: f64,
     /// Energies [F L].
     pub energy: Energy,
-    /// Energy [F L] that the stabilisation of contact has taken so far.
-    pub stabilized: f64,
+    /// Energies [F L] that damping and stabilisation of contact have taken so far.
+    pub taken: Taken,
     /// Resultant of each pair on its secondary side [F]; not among [`COLUMNS`], every pair has a history of its own.
     pub resultants: Vec<[f64; 3]>,
 }
 
 /// Names and dimensions of the numbers that [`Certificate::row`] gives.
-pub const COLUMNS: [(&str, &str); 16] = [
+pub const COLUMNS: [(&str, &str); 17] = [
     ("residual", "1"),
     ("overclosure", "L"),
     ("tension", "F/L²"),
@@ -58,6 +59,7 @@ pub const COLUMNS: [(&str, &str); 16] = [
     ("energy_friction", "F L"),
     ("work", "F L"),
     ("energy_stabilization", "F L"),
+    ("energy_damping", "F L"),
 ];
 
 impl Certificate {
@@ -104,7 +106,10 @@ impl Certificate {
             reaction,
             imbalance: ratio(sums.fold(0.0, f64::max), largest),
             energy: at.energy,
-            stabilized: pairs.iter().map(|p| p.stabilized).sum(),
+            taken: Taken {
+                damping: pairs.iter().map(|p| p.taken.damping).sum(),
+                stabilization: pairs.iter().map(|p| p.taken.stabilization).sum(),
+            },
             resultants: pairs.iter().map(|p| p.total().0).collect(),
         }
     }
@@ -115,7 +120,7 @@ impl Certificate {
         row.extend(self.applied);
         row.extend(self.reaction);
         let Energy { solids, contact, friction, work } = self.energy;
-        row.extend([self.imbalance, solids, contact, friction, work, self.stabilized]);
+        row.extend([self.imbalance, solids, contact, friction, work, self.taken.stabilization, self.taken.damping]);
         row
     }
 
@@ -205,10 +210,13 @@ impl fmt::Display for RunCertificate {
         writeln!(out, "  balance             {} of the forces", e(w.imbalance, 2))?;
         let (solids, contact, work) = (e(w.energy.solids, 6), e(w.energy.contact, 6), e(w.energy.work, 6));
         writeln!(out, "  energy              solids {solids}, contact {contact}, work of loads {work}")?;
-        if w.stabilized > 0.0 {
-            let share = 100.0 * w.stabilized / (w.energy.solids + w.energy.contact).max(f64::MIN_POSITIVE);
+        if w.taken.damping > 0.0 {
+            writeln!(out, "  contact damping     {} taken by it", e(w.taken.damping, 6))?;
+        }
+        if w.taken.stabilization > 0.0 {
+            let share = 100.0 * w.taken.stabilization / (w.energy.solids + w.energy.contact).max(f64::MIN_POSITIVE);
             let warned = if share > LARGE_SHARE { "warning: " } else { "" };
-            let taken = e(w.stabilized, 6);
+            let taken = e(w.taken.stabilization, 6);
             writeln!(out, "  stabilisation       {warned}{taken} taken by it, {share:.3} % of the stored energy")?;
         }
         if w.energy.friction > 0.0 {

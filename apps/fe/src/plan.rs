@@ -7,6 +7,7 @@ use fe_contact::friction::{Coefficient, Coulomb, Spring};
 use fe_contact::pair::Discretization;
 use fe_contact::redundant::redundant;
 use fe_contact::summary::{Means, Origin};
+use fe_contact::viscous::Damping;
 use fe_core::element::{ElementType, Family};
 use fe_core::linear::Cost;
 use fe_core::matrix::Pattern;
@@ -105,9 +106,11 @@ impl Plan {
             needs.push((subject.into(), contact_in_words(pair)));
         }
         needs.extend(over_constraint(terms, u, fixed).map(|words| ("over-constraint".into(), words)));
+        let damped = terms.contacts.iter().filter_map(|contact| Some((contact, contact.damping()?)));
+        needs.extend(damped.map(|(contact, damping)| ("damped".into(), damping_in_words(contact, damping))));
         let stabilized = terms.contacts.iter().filter_map(|contact| Some((contact, contact.stabilization()?)));
         needs.extend(stabilized.map(|(contact, ([across, along], range))| {
-            let unit = "F T/L³";
+            let unit = contact.summary().measure.damping_dimension();
             let words = format!(
                 "{}: damping {across:.6e} {unit} across and {along:.6e} {unit} along the surface, up to a clearance of {range:.3e} L",
                 contact.name()
@@ -123,12 +126,13 @@ impl Plan {
         }
         let history: usize = terms.all().iter().map(|term| term.history()).sum();
         if history > 0 {
-            let points: usize = terms.contacts.iter().map(|pair| pair.points.len()).sum();
-            let multipliers = if history > points { ", a multiplier where there are any" } else { "" };
+            let multipliers = if terms.contacts.iter().all(bare) { "" } else { ", a multiplier where there are any" };
+            let damped = terms.contacts.iter().any(|contact| contact.damping().is_some());
+            let pressures = if damped { ", a viscous pressure where it is damped" } else { "" };
             let rubs = terms.contacts.iter().any(|pair| pair.friction().is_some());
             let friction = if rubs { ", slip and shear where there is friction" } else { "" };
-            needs
-                .push(("history".into(), format!("{history} numbers: a status for each point{multipliers}{friction}")));
+            let words = format!("{history} numbers: a status for each point{multipliers}{friction}{pressures}");
+            needs.push(("history".into(), words));
         }
         for body in free {
             let body_of = &terms.bodies[body.body];
@@ -188,6 +192,18 @@ fn members_in_words(terms: &Terms) -> Vec<(String, String)> {
         ("springs".into(), format!("{count} {element}, stiffness {stiffness} {dimension}"))
     });
     lines.chain(springs).collect()
+}
+
+/// A contact and its damping with units.
+fn damping_in_words(contact: &Contact, damping: &Damping) -> String {
+    let (across, unit) = (damping.coefficient, contact.summary().measure.damping_dimension());
+    let (along, to) = (damping.tangent_fraction * across, damping.clearance);
+    let from = damping.constant_part * to;
+    let name = contact.name();
+    format!(
+        "{name}: damping {across:.6e} {unit} across and {along:.6e} {unit} along the surface up to a clearance of {from:.3e} L, \
+         none from {to:.3e} L on"
+    )
 }
 
 /// A contact, its constraint and its stiffness with units.
@@ -259,6 +275,11 @@ fn friction_in_words(pair: &Contact, law: &Coulomb) -> String {
     format!("; friction, {value}{most}, {stick}")
 }
 
+/// True where a penalty or a law carries a contact, without multipliers.
+fn bare(contact: &Contact) -> bool {
+    contact.summary().penalty.is_none_or(|penalty| penalty.means.is_bare())
+}
+
 fn leaves_out(terms: &Terms, unknowns: usize) -> Vec<String> {
     let mut out = Vec::new();
     if unknowns == 0 {
@@ -277,7 +298,6 @@ fn leaves_out(terms: &Terms, unknowns: usize) -> Vec<String> {
             let why = if pairs { "every main surface is rigid" } else { "contact elements name their nodes" };
             out.push(format!("contact search: {why}"));
         }
-        let bare = |p: &Contact| p.summary().penalty.is_none_or(|penalty| penalty.means.is_bare());
         if terms.contacts.iter().all(bare) {
             out.push("multipliers: a penalty or a law carries the contact".into());
         }

@@ -149,6 +149,7 @@ pub fn linear() -> Interaction {
         normal: NormalBehavior::Softened(Arc::new(law)),
         no_separation: false,
         friction: None,
+        damping: None,
         measure: None,
     }
 }

@@ -8,6 +8,7 @@ mod beam_section;
 mod boundary;
 mod clearance;
 mod contact_controls;
+mod contact_damping;
 mod contact_interference;
 mod contact_pair;
 pub(crate) mod controls;
@@ -69,6 +70,7 @@ pub const CARDS: &[&Keyword] = &[
     &surface_interaction::SURFACE_INTERACTION,
     &surface_behavior::SURFACE_BEHAVIOR,
     &friction::FRICTION,
+    &contact_damping::CONTACT_DAMPING,
     &contact_pair::CONTACT_PAIR,
     &gap::GAP,
     &clearance::CLEARANCE,

@@ -127,14 +127,7 @@ pub(super) const CARDS: &[(&[&str], &str)] = &[
         PAIR,
     ),
     (
-        &[
-            "CONTACT DAMPING",
-            "COHESIVE BEHAVIOR",
-            "DEBOND",
-            "FRACTURE CRITERION",
-            "CHANGE SURFACE BEHAVIOR",
-            "CHANGE CONTACT TYPE",
-        ],
+        &["COHESIVE BEHAVIOR", "DEBOND", "FRACTURE CRITERION", "CHANGE SURFACE BEHAVIOR", "CHANGE CONTACT TYPE"],
         "a law of `*SURFACE BEHAVIOR` is there",
     ),
     (

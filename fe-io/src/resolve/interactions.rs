@@ -1,7 +1,8 @@
-//! `*SURFACE INTERACTION`, or the card of contact elements, with its `*SURFACE BEHAVIOR` and its `*FRICTION`.
+//! `*SURFACE INTERACTION`, or the card of contact elements, with its `*SURFACE BEHAVIOR`, `*FRICTION` and
+//! `*CONTACT DAMPING`.
 
 use super::nodes::fields;
-use super::{formula, friction, hard};
+use super::{contact_damping, formula, friction, hard};
 use crate::deck::Deck;
 use crate::deck::card::{Card, normalized};
 use crate::deck::source::Span;
@@ -9,11 +10,11 @@ use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::keyword::check::Entry;
 use crate::keyword::row::{Row, of_law};
 use crate::keyword::{self, Field, Known, surface_behavior};
-use fe_contact::friction::Friction;
 use fe_contact::interaction::{Enforcement, Interaction, NormalBehavior};
 use fe_contact::law::scale_factor::Scaling;
 use fe_contact::law::{Datum, LawDefinition, Laws, Lines, NormalLaw};
 use fe_contact::verify::{self, LawFault};
+use std::collections::BTreeMap;
 use std::sync::Arc;
 
 /// What cards are read with.
@@ -29,8 +30,10 @@ pub struct Given<'a> {
 
 /// The card that gives an interaction a name.
 const NAMED: &str = "SURFACE INTERACTION";
-/// The cards that describe contact, with those that follow them.
+/// The cards that describe contact.
 const PARENTS: [&str; 3] = [NAMED, "GAP", "INTERFACE"];
+/// The cards that follow them.
+const DESCRIBING: [&str; 3] = ["SURFACE BEHAVIOR", "FRICTION", "CONTACT DAMPING"];
 const PARENTS_IN_WORDS: &str = "`*SURFACE INTERACTION`, `*GAP` or `*INTERFACE`";
 
 /// The interactions of a model.
@@ -40,10 +43,8 @@ pub struct Interactions {
     pub list: Vec<Interaction>,
     /// Keyword and place of each one's card.
     cards: Vec<(&'static str, Span)>,
-    /// Place of each one's `*SURFACE BEHAVIOR`.
-    behaviors: Vec<Option<Span>>,
-    /// Place of each one's `*FRICTION`.
-    frictions: Vec<Option<Span>>,
+    /// Places of the cards that describe each one, by keyword.
+    described: Vec<BTreeMap<&'static str, Span>>,
 }
 
 impl Interactions {
@@ -69,12 +70,20 @@ impl Interactions {
                     .push(Diagnostic::error(entry.card.span, title).related(user.span, "the law is all its own"));
             }
             let of = of.and_then(|parent| all.of_card(parent.span));
-            if entry.keyword.name == "FRICTION" {
-                let friction = friction::read(entry, deck, diagnostics);
-                of.into_iter().for_each(|i| all.rub(i, entry, friction.clone(), diagnostics));
-            } else {
-                let behavior = behavior(entry, given, diagnostics);
-                of.into_iter().for_each(|i| all.describe(i, entry, behavior.clone(), diagnostics));
+            of.into_iter().for_each(|i| all.once(i, entry, diagnostics));
+            match entry.keyword.name {
+                "FRICTION" => {
+                    let friction = friction::read(entry, deck, diagnostics);
+                    of.into_iter().for_each(|i| all.list[i].friction = friction.clone());
+                }
+                "CONTACT DAMPING" => {
+                    let damping = contact_damping::read(entry, deck, diagnostics);
+                    of.into_iter().for_each(|i| all.list[i].damping = damping);
+                }
+                _ => {
+                    let behavior = behavior(entry, given, diagnostics);
+                    of.into_iter().for_each(|i| all.describe(i, entry, behavior.clone()));
+                }
             }
         }
         all
@@ -92,31 +101,21 @@ impl Interactions {
         let line = deck.lines(entry.card).next().filter(|_| named);
         let measure = line.and_then(|line| Row::read(line, fields(entry), diagnostics).number(0));
         let normal = NormalBehavior::Hard(Enforcement::Usual);
-        self.list.push(Interaction { name, normal, no_separation: false, friction: None, measure });
+        let (friction, damping) = (None, None);
+        self.list.push(Interaction { name, normal, no_separation: false, friction, damping, measure });
         self.cards.push((entry.keyword.name, entry.card.span));
-        self.behaviors.push(None);
-        self.frictions.push(None);
+        self.described.push(BTreeMap::new());
     }
 
-    fn rub(&mut self, i: usize, entry: &Entry<'_>, friction: Option<Friction>, diagnostics: &mut Diagnostics) {
-        if let Some(first) = self.frictions[i].replace(entry.card.span) {
-            let title = format!("interaction `{}` has two `*FRICTION`", self.list[i].name);
+    /// Refuses a second card of a kind for one interaction.
+    fn once(&mut self, i: usize, entry: &Entry<'_>, diagnostics: &mut Diagnostics) {
+        if let Some(first) = self.described[i].insert(entry.keyword.name, entry.card.span) {
+            let title = format!("interaction `{}` has two `*{}`", self.list[i].name, entry.keyword.name);
             diagnostics.push(Diagnostic::error(entry.card.span, title).related(first, "first here"));
         }
-        self.list[i].friction = friction;
     }
 
-    fn describe(
-        &mut self,
-        i: usize,
-        entry: &Entry<'_>,
-        behavior: Option<NormalBehavior>,
-        diagnostics: &mut Diagnostics,
-    ) {
-        if let Some(first) = self.behaviors[i].replace(entry.card.span) {
-            let title = format!("interaction `{}` has two `*SURFACE BEHAVIOR`", self.list[i].name);
-            diagnostics.push(Diagnostic::error(entry.card.span, title).related(first, "first here"));
-        }
+    fn describe(&mut self, i: usize, entry: &Entry<'_>, behavior: Option<NormalBehavior>) {
         if let Some(behavior) = behavior {
             self.list[i].no_separation = entry.has("NO SEPARATION");
             self.list[i].normal = behavior;
@@ -139,13 +138,13 @@ impl Interactions {
     }
 }
 
-/// The card that a `*SURFACE BEHAVIOR` or a `*FRICTION` belongs to; other cards that describe contact may stand between.
+/// The card that one of these belongs to; others of them may stand between.
 fn parent<'a>(entry: &Entry<'_>, deck: &'a Deck) -> Option<&'a Card> {
     let at = deck.cards.iter().position(|card| card.span == entry.card.span)?;
     for card in deck.cards[..at].iter().rev() {
         match keyword::find(&card.keyword) {
             Some(Known::Card(table)) if PARENTS.contains(&table.name) => return Some(card),
-            Some(Known::Card(table)) if ["SURFACE BEHAVIOR", "FRICTION"].contains(&table.name) => {}
+            Some(Known::Card(table)) if DESCRIBING.contains(&table.name) => {}
             Some(Known::NotYet(..)) => {}
             _ => return None,
         }

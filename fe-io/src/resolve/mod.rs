@@ -7,6 +7,7 @@ mod clearances;
 mod combine;
 mod conditions;
 mod contact_controls;
+mod contact_damping;
 mod contact_elements;
 mod controls;
 mod cracks;
@@ -79,7 +80,10 @@ pub fn resolve(deck: &Deck, library: &Library) -> Result<Model, Diagnostics> {
     bodies(&entries, (&mut scene, &mut tubes), &mut diagnostics);
     let amplitudes = Amplitudes::read(&named(&entries, &["AMPLITUDE"]), deck, &mut diagnostics);
     // How surfaces act on each other belongs to the model wherever it is written: once, whatever a part's instances.
-    let contact = named(&written, &["SURFACE INTERACTION", "GAP", "INTERFACE", "SURFACE BEHAVIOR", "FRICTION"]);
+    let contact = named(
+        &written,
+        &["SURFACE INTERACTION", "GAP", "INTERFACE", "SURFACE BEHAVIOR", "FRICTION", "CONTACT DAMPING"],
+    );
     let given = Given { deck, laws: &library.laws, size: size(&scene.structure) };
     let interactions = Interactions::read(&contact, given, &mut diagnostics);
     if scene.unread {
