@@ -1,6 +1,6 @@
 //! What carries a contact: an interaction's words, and the stiffness beneath, made into a law and its multipliers.
 
-use crate::conditions::{Overrides, Tolerance};
+use crate::conditions::{MultiplierUse, Overrides, Tolerance};
 use crate::enforce::Multipliers;
 use crate::interaction::{Enforcement, NormalBehavior, Penalty};
 use crate::law::NormalLaw;
@@ -32,6 +32,19 @@ impl Ground {
     }
 }
 
+impl Ground {
+    /// Stiffness [F/L³] of the spring in series with a law of this slope, which multipliers take out again; `None` where the
+    /// law stands as it is.
+    fn spring(&self, steepest: f64, multipliers: MultiplierUse) -> Option<f64> {
+        let spring = self.stiffest();
+        match multipliers {
+            MultiplierUse::Usual => spring.filter(|spring| steepest > *spring),
+            MultiplierUse::Always => spring.or(Some(steepest)).filter(|spring| spring.is_finite()),
+            MultiplierUse::Never => None,
+        }
+    }
+}
+
 /// A law and what stands on top of it.
 #[derive(Clone, Debug)]
 pub(crate) struct Carried {
@@ -50,15 +63,15 @@ impl Carried {
     /// Analysis User's Manual, Contact constraint enforcement methods).
     pub fn new(normal: &NormalBehavior, ground: Ground, overrides: Overrides) -> Result<Self, NoStiffness> {
         match normal {
-            NormalBehavior::Softened(law) => Ok(Self::softened(law.clone(), ground)),
+            NormalBehavior::Softened(law) => Ok(Self::softened(law.clone(), ground, overrides.multipliers)),
             NormalBehavior::Hard(enforcement) => Self::hard(*enforcement, ground, overrides),
         }
     }
 
-    fn softened(law: Arc<dyn NormalLaw>, ground: Ground) -> Self {
-        match ground.stiffest() {
-            Some(spring) if law.steepest() > spring => Self::in_series(law, spring, ground),
-            _ => Carried { law, bare: None, penalty: None, multipliers: None },
+    fn softened(law: Arc<dyn NormalLaw>, ground: Ground, multipliers: MultiplierUse) -> Self {
+        match ground.spring(law.steepest(), multipliers) {
+            Some(spring) => Self::in_series(law, spring, ground),
+            None => Carried { law, bare: None, penalty: None, multipliers: None },
         }
     }
 
@@ -70,9 +83,14 @@ impl Carried {
     }
 
     fn hard(enforcement: Enforcement, ground: Ground, overrides: Overrides) -> Result<Self, NoStiffness> {
-        let scaled = overrides.stiffness_scale;
+        let (scaled, chosen) = (overrides.stiffness_scale, overrides.multipliers);
+        let usually_penalty = match chosen {
+            MultiplierUse::Usual => ground.slides_far,
+            MultiplierUse::Always => false,
+            MultiplierUse::Never => true,
+        };
         let (means, Penalty { stiffness, clearance, scale }, factor) = match enforcement {
-            Enforcement::Usual if ground.slides_far => (Means::Penalty, Penalty::default(), PENALTY_FACTOR),
+            Enforcement::Usual if usually_penalty => (Means::Penalty, Penalty::default(), PENALTY_FACTOR),
             Enforcement::Usual | Enforcement::Direct => (Means::Multipliers, Penalty::default(), AUGMENTED_FACTOR),
             Enforcement::NonlinearPenalty(growing) => {
                 (Means::NonlinearPenalty(growing.upper * ground.length), growing.last, NONLINEAR_FACTOR)
@@ -92,13 +110,15 @@ impl Carried {
             Enforcement::NonlinearPenalty(growing) => Arc::new(growing.over(penalty.stiffness, ground.length)),
             _ => Arc::new(Linear { slope: penalty.stiffness, clearance }),
         };
-        Ok(match ground.stiffest() {
-            // So steep a penalty would drown the bodies' own stiffness in rounding.
-            Some(spring) if law.steepest() > spring && means.is_bare() => Self::in_series(law, spring, ground),
-            Some(spring) if penalty.stiffness > spring => {
-                Self::with(PenaltySummary { stiffness: spring, ..penalty }, ground)
+        // Too steep a penalty would drown the bodies' own stiffness in rounding.
+        Ok(if means.is_bare() {
+            match ground.spring(law.steepest(), chosen) {
+                Some(spring) => Self::in_series(law, spring, ground),
+                None => Carried { law, ..Self::with(penalty, ground) },
             }
-            _ => Carried { law, ..Self::with(penalty, ground) },
+        } else {
+            let stiffness = ground.stiffest().map_or(penalty.stiffness, |most| most.min(penalty.stiffness));
+            Self::with(PenaltySummary { stiffness, ..penalty }, ground)
         })
     }
 

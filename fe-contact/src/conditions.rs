@@ -26,11 +26,26 @@ pub struct Overrides {
     pub stiffness_scale: f64,
     /// Overclosure that augmentation leaves; `None`: the usual one.
     pub tolerance: Option<Tolerance>,
+    /// Whether multipliers carry it.
+    pub multipliers: MultiplierUse,
+}
+
+/// `LAGRANGE MULTIPLIER=`: whether multipliers carry a contact. They are a way to solve, and no answer of a softened law or of
+/// a penalty changes by them; hard contact for which the deck asks nothing is one or the other.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum MultiplierUse {
+    /// Beneath what is steeper than a thousand times the elements, and for hard contact where that is usual.
+    #[default]
+    Usual,
+    /// Always: hard contact without overclosure, a softened law or a penalty exactly, whatever its slope.
+    Always,
+    /// Never, but for DIRECT and AUGMENTED LAGRANGE, which are made of them: the law or the penalty stands as it is.
+    Never,
 }
 
 impl Default for Overrides {
     fn default() -> Self {
-        Overrides { stiffness_scale: 1.0, tolerance: None }
+        Overrides { stiffness_scale: 1.0, tolerance: None, multipliers: MultiplierUse::Usual }
     }
 }
 
@@ -71,7 +86,7 @@ impl Contact {
         self.resist_in_step(conditions.stabilization.as_ref(), time.1, taken, history);
     }
 
-    /// Enforces hard contact otherwise from now on. Multipliers keep their pressures.
+    /// Enforces contact otherwise from now on. Multipliers keep their pressures.
     fn carry(&mut self, overrides: Overrides, history: &mut Vec<f64>) {
         let (normal, ground, before) = &self.origin;
         if *before == overrides {

@@ -221,6 +221,19 @@ impl Term for Contact {
         any
     }
 
+    fn force_round_off(&self, u: &[f64], history: &[f64]) -> f64 {
+        if !self.acts() {
+            return 0.0;
+        }
+        let of_point = |i: usize| {
+            let (answer, _) = self.answer(i, self.opening(i, u), history, self.is_held(i, history));
+            answer.stiffness * self.points[i].measure.value()
+        };
+        // What acts on prescribed freedoms alone need not be balanced.
+        let moving = (0..self.points.len()).filter(|&i| self.law_of_stuck(i).is_none());
+        self.round_off() * moving.map(of_point).fold(0.0, f64::max)
+    }
+
     fn dissipated(&self, old: &[f64], new: &[f64]) -> f64 {
         self.rubbed(old, new)
     }

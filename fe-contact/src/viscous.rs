@@ -269,3 +269,21 @@ impl Contact {
 fn add(row: &[f64], force: f64, places: &[Range<usize>], residual: &mut [f64]) {
     row.iter().zip(places.iter().cloned().flatten()).for_each(|(d, f)| residual[f] += force * d);
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// μ₀ = 10, c₀ = 0.1, η = 0.5 at a closing speed of 2.
+    #[test]
+    fn a27_contact_damping() {
+        let (coefficients, fall, course) = ([10.0, 0.0], [0.05, 0.1], (1.0, 1.0));
+        let resistance = Resistance { coefficients, fall, course, along: Vec::new(), place: 0, keeps_pressures: true };
+        let at = Motion { u: &[], du: &[], step_time: 0.5, total_time: 0.5, dt: 0.25 };
+        for (clearance, expected) in [(-0.01, 20.0), (0.025, 20.0), (0.05, 20.0), (0.075, 10.0), (0.12, 0.0)] {
+            let [factor, slope] = resistance.factor(clearance, &at);
+            assert!((2.0 * 10.0 * factor - expected).abs() < 1e-13, "{clearance}: {factor}");
+            assert_eq!(slope, if clearance == 0.075 { -1.0 / (0.1 - 0.05) } else { 0.0 });
+        }
+    }
+}

@@ -79,6 +79,12 @@ pub trait Term: Send + Sync {
         false
     }
 
+    /// Largest force [F] that rounding of what it depends on explains, at a displacement and with the history of an evaluation
+    /// there; where forces of displacements as large as `u` do not show it.
+    fn force_round_off(&self, _u: &[f64], _history: &[f64]) -> f64 {
+        0.0
+    }
+
     /// Adds C x to `y`, C being what the symmetric stiffness of [`Term::evaluate`] lacks of the derivative of the residual at
     /// this motion and history (old, new); false where it lacks nothing.
     fn couple(&self, _at: Motion, _history: (&[f64], &[f64]), _x: &[f64], _y: &mut [f64]) -> bool {

@@ -71,7 +71,8 @@ pub struct Step {
     pub nodal_loads: Changes<Load>,
     /// `*DLOAD` and `*DSLOAD`.
     pub distributed_loads: Changes<Load>,
-    /// What the step says of each contact, in the order of [`Model::pairs`]; of those that are not listed, nothing.
+    /// What the step says of each contact, in the order of [`Model::pairs`], [`Model::gaps`] and
+    /// [`Model::tubes`]; of those that are not listed, nothing.
     pub conditions: Vec<Conditions>,
     /// Requests in force (those of earlier steps included where the step has no card of the same kind).
     pub output: Output,

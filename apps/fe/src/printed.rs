@@ -124,10 +124,11 @@ fn contact_elements(source: &Source, table: &Table, cells: &[CellId]) -> Vec<Ele
     rows
 }
 
-/// What acts across and along the constraints that are closed, pair by pair.
+/// What acts across and along the constraints that are closed, or damped while they are open, pair by pair.
 fn closed(source: &Source, value: impl Fn(&PointState) -> (f64, [f64; 2])) -> Vec<ContactRow> {
     let labels = &source.terms.structure.mesh.point_labels;
-    let points = source.states.iter().flat_map(|state| &state.points).filter(|p| p.status != ContactStatus::Open);
+    let acts = |p: &&PointState| p.status != ContactStatus::Open || p.pressure != 0.0;
+    let points = source.states.iter().flat_map(|state| &state.points).filter(acts);
     let row = |p: &PointState| {
         let (across, [one, other]) = value(p);
         ContactRow { node: labels[p.node as usize], values: [across, one, other] }

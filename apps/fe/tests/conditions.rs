@@ -111,3 +111,38 @@ fn contact_controls_set_the_tolerance_of_augmentation() {
         close(tolerance, &found, &[passes(n)], 400.0);
     }
 }
+
+/// LAGRANGE MULTIPLIER: hard contact for which nothing is asked is without overclosure, or a penalty of ten times the elements
+/// beneath, K = 10 k: N = 400 · 10/11. Laws and penalties keep their answers, with multipliers and without.
+#[test]
+fn multipliers_by_controls() {
+    let soft = (500.0 - K * DISTANCE) * 10.0 / 11.0;
+    let hard = "*SURFACE INTERACTION, NAME=I\n".to_owned();
+    let law = hard.clone() + "*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=LINEAR\n4000.\n";
+    let steep = 400.0 * 1e4 / (1e4 + 1.0);
+    for (contact, [without, yes, no], kind) in [
+        (hard.clone(), [soft, 400.0, soft], "SURFACE TO SURFACE"),
+        (hard.clone(), [400.0, 400.0, soft], "NODE TO SURFACE"),
+        (hard + "*SURFACE BEHAVIOR, DIRECT\n", [400.0; 3], "NODE TO SURFACE"),
+        (penalty(K), [200.0; 3], "SURFACE TO SURFACE"),
+        (penalty(1e4 * K), [steep; 3], "SURFACE TO SURFACE"),
+        (law, [320.0; 3], "SURFACE TO SURFACE"),
+    ] {
+        for body in [Body::Brick, Body::Ring] {
+            let change = |what: &str| format!("*STEP\n*STATIC\n*CONTACT CONTROLS, {what}\n*END STEP\n");
+            let deck = format!(
+                "{}{}{contact}{}*BOUNDARY\nHELD, 1, 3\nREF, 1, 6\n*STEP\n*STATIC\n*DSLOAD\nSEC, P, -500.\n\
+                 *NODE PRINT, NSET=REF\nRF\n*END STEP\n{}{}{}",
+                body.deck(),
+                body.stop(false),
+                pair(kind),
+                change("LAGRANGE MULTIPLIER=YES"),
+                change("LAGRANGE MULTIPLIER=NO"),
+                change("RESET")
+            );
+            let text = run("multipliers_by_controls", &deck);
+            let what = format!("{body:?} {kind} {contact}");
+            close(&what, &all(&text, "forces", "REF", body.axis()), &[without, yes, no, without], 400.0);
+        }
+    }
+}

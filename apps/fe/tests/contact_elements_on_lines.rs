@@ -125,10 +125,17 @@ fn a08_two_bar_truss_on_gap() {
     close("force", f[4], 2980.2962932631685, 1e-10);
 }
 
-/// Two cantilevers whose tips overlap by 3: N = 3/(1/96 + 1/24) = 57.6, in one increment and in ten.
+/// Two cantilevers whose tips overlap by 3: N = 3/(1/96 + 1/24) = 57.6, in one increment and in ten, and in ten over which the
+/// overlap is taken out.
 #[test]
 fn a16_cantilever_misfit() {
-    for steps in ["1., 1.", "0.1, 1., 0.1, 0.1"] {
+    for steps in [
+        "1., 1.",
+        "0.1, 1., 0.1, 0.1",
+        "0.1, 1., 0.1, 0.1\n*CONTACT INTERFERENCE, TYPE=ELEMENT\nG, 3.",
+        "0.1, 1., 0.1, 0.1\n*CONTACT INTERFERENCE, TYPE=ELEMENT\nG, 3., 0., 1., 0.",
+        "0.1, 1., 0.1, 0.1\n*CONTACT INTERFERENCE, TYPE=ELEMENT, SHRINK\nG",
+    ] {
         let deck = format!(
             "*NODE\n1, 0., 0., 0.\n2, 500., 0., 0.\n3, 1000., 0., 0.\n4, 500., 0., 0.\n\
              *ELEMENT, TYPE=B33, ELSET=STIFF\n1, 1, 2\n*ELEMENT, TYPE=B33, ELSET=SOFT\n2, 3, 4\n\

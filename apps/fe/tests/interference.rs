@@ -96,8 +96,11 @@ fn a19_overlap_without_interference() {
     let (forces, _) = run("overlap", &(column(0.1) + HARD + PAIR), &format!("{STEP}*END STEP\n"));
     close("default", &forces, &[10.0; 4]);
     let adjusted = PAIR.replace("SMALL SLIDING", "SMALL SLIDING, ADJUST=0.");
-    let (forces, _) = run("overlap_adjusted", &(column(0.125) + HARD + &adjusted), &format!("{STEP}*END STEP\n"));
-    assert!(forces.iter().all(|f| f.abs() < 1e-12 * 10.0), "ADJUST: {forces:?}");
+    // Where the nodes go to a coordinate that is rounded, the gaps are a few ε of the model's size, and so are the forces.
+    for overlap in [0.125, 0.1] {
+        let (forces, _) = run("overlap_adjusted", &(column(overlap) + HARD + &adjusted), &format!("{STEP}*END STEP\n"));
+        assert!(forces.iter().all(|f| f.abs() < 1e-12 * 10.0), "ADJUST to {overlap}: {forces:?}");
+    }
     let law = "*SURFACE INTERACTION, NAME=I\n*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=LINEAR\n400.\n";
     let (forces, _) = run("overlap_linear", &(column(0.1) + law + PAIR), &format!("{STEP}*END STEP\n"));
     close("LINEAR 400", &forces, &[8.0; 4]);

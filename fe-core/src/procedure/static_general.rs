@@ -268,6 +268,12 @@ impl<'a> StaticGeneral<'a> {
         terms.map(|((term, old), new)| term.dissipated(old, new)).sum()
     }
 
+    /// Largest force [F] that the terms which are not linear explain by rounding.
+    fn round_off(&self, u: &[f64], history: &[Vec<f64>]) -> f64 {
+        let terms = self.system.scene.terms.iter().zip(history);
+        terms.map(|(term, history)| term.force_round_off(u, history)).fold(0.0, f64::max)
+    }
+
     /// What an iteration left that moved by `length` · `delta` to `u`.
     fn iterate(&self, step: &Increment, u: &[f64], (length, delta): (f64, &[f64]), now: &Evaluation) -> Iterate {
         let tangent = self.tangent(now);
@@ -346,10 +352,12 @@ impl Procedure for StaticGeneral<'_> {
             given.fill(0.0);
             let length;
             (length, now) = self.search(&step, &mut u, (&delta, slope), &mut new)?;
-            let iterate = self.iterate(&step, &u, (length, &delta), &now);
+            let mut iterate = self.iterate(&step, &u, (length, &delta), &now);
+            let of_elements = iterate.round_off;
+            iterate.round_off += self.round_off(&u, &new);
             tracing::debug!(?iterate, length, "iteration");
             if newton.judge(&iterate)? == Verdict::Converged {
-                let noise = iterate.residual.max(iterate.round_off);
+                let noise = iterate.residual.max(of_elements);
                 let at = Equilibrium { u: &u, noise, passes };
                 if let Some(Overlap { node, overclosure }) = self.augment(&step, at, &mut new) {
                     passes += 1;

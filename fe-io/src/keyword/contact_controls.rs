@@ -1,6 +1,5 @@
 use super::{Choice, Data, DataLine, Field, Keyword, Kind, Level, Parameter};
 
-const LAW: &str = "say `DIRECT`, `AUGMENTED LAGRANGE` or `PENALTY` on `*SURFACE BEHAVIOR`";
 const SETTLES: &str = "statuses settle by themselves, see CONVERT SDI of *STEP";
 const STATIC: &str = "there are no perturbation steps";
 const EXPLICIT: &str = "it is for explicit dynamics";
@@ -27,7 +26,12 @@ pub const CONTACT_CONTROLS: Keyword = Keyword {
             "resist the surfaces' motion in this step; a value is a factor on the automatic coefficient",
         ),
         Parameter::of("TANGENT FRACTION", Kind::Number, "damping along the surface over that across it; 1"),
-        Parameter::not_yet("LAGRANGE MULTIPLIER", LAW),
+        Parameter::choice(
+            "LAGRANGE MULTIPLIER",
+            &[Choice::there("YES"), Choice::there("NO")],
+            "YES: multipliers carry every hard contact, penalty and law, whatever its slope; NO: laws and penalties stand as they \
+             are, and hard contact is a penalty unless DIRECT or AUGMENTED LAGRANGE is asked for; without it as is usual",
+        ),
         Parameter::not_yet("APPROACH", "say `STABILIZE, TANGENT FRACTION=0.`"),
         Parameter::idle("AUTOMATIC TOLERANCES", SETTLES),
         Parameter::idle("MAXCHP", SETTLES),

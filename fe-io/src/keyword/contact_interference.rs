@@ -1,6 +1,12 @@
 use super::boundary::OPERATION;
 use super::{Choice, Data, DataLine, Field, Keyword, Level, Parameter};
 
+const OVERCLOSURE: Field =
+    Field::number("overclosure", "L", "overclosure that is let be; with a direction, the length of the shift")
+        .or("with SHRINK only");
+const Y: Field = Field::number("dy", "-", "its y component").or("0");
+const Z: Field = Field::number("dz", "-", "its z component").or("0");
+
 pub const CONTACT_INTERFERENCE: Keyword = Keyword {
     name: "CONTACT INTERFERENCE",
     level: Level::Step,
@@ -8,8 +14,8 @@ pub const CONTACT_INTERFERENCE: Keyword = Keyword {
     parameters: &[
         Parameter::choice(
             "TYPE",
-            &[Choice::there("CONTACT PAIR"), Choice::not_yet("ELEMENT", "contact pairs have interferences")],
-            "CONTACT PAIR (default)",
+            &[Choice::there("CONTACT PAIR"), Choice::there("ELEMENT")],
+            "CONTACT PAIR (default), or ELEMENT: of contact elements",
         ),
         Parameter::name(
             "AMPLITUDE",
@@ -18,15 +24,34 @@ pub const CONTACT_INTERFERENCE: Keyword = Keyword {
         OPERATION,
         Parameter::flag("SHRINK", "each point begins with its own overclosure, ramped to 0; in the first step"),
     ],
-    data: Data::Lines(&[DataLine::many(&[
-        Field::word("secondary", "secondary surface of a contact pair"),
-        Field::word("main", "its main surface"),
-        Field::number("overclosure", "L", "overclosure that is let be; with a direction, the length of the shift")
-            .or("with SHRINK only"),
-        Field::number("dx", "-", "direction in which the secondary surface is shifted before contact is looked for")
+    data: Data::Lines(&[
+        DataLine::many(&[
+            Field::word("secondary", "secondary surface of a contact pair"),
+            Field::word("main", "its main surface"),
+            OVERCLOSURE,
+            Field::number(
+                "dx",
+                "-",
+                "direction in which the secondary surface is shifted before contact is looked for",
+            )
             .or("along the normals"),
-        Field::number("dy", "-", "its y component").or("0"),
-        Field::number("dz", "-", "its z component").or("0"),
-    ])]),
+            Y,
+            Z,
+        ])
+        .when("CONTACT PAIR"),
+        DataLine::many(&[
+            Field::word("elements", "set of contact elements, that of their *GAP or *INTERFACE"),
+            OVERCLOSURE,
+            Field::number(
+                "dx",
+                "-",
+                "direction in which the second node of gap elements, or the node of tubes, is shifted",
+            )
+            .or("along the normals"),
+            Y,
+            Z,
+        ])
+        .when("ELEMENT"),
+    ]),
     source: "Abaqus Keywords Reference, *CONTACT INTERFERENCE",
 };

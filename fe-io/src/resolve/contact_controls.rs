@@ -9,7 +9,7 @@ use crate::deck::number::number;
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::keyword::check::Entry;
 use crate::keyword::row::Row;
-use fe_contact::conditions::{Overrides, Tolerance};
+use fe_contact::conditions::{MultiplierUse, Overrides, Tolerance};
 use fe_contact::viscous::{Coefficient, Stabilization};
 
 impl InForce {
@@ -42,6 +42,9 @@ impl InForce {
             let overrides = &mut conditions.overrides;
             overrides.stiffness_scale = scale.unwrap_or(overrides.stiffness_scale);
             overrides.tolerance = tolerance.or(overrides.tolerance);
+            if let Some(word) = entry.name("LAGRANGE MULTIPLIER") {
+                overrides.multipliers = if word == "YES" { MultiplierUse::Always } else { MultiplierUse::Never };
+            }
             conditions.stabilization = stabilization.or(conditions.stabilization);
         }
     }

@@ -1,7 +1,7 @@
 //! `*CONTACT INTERFERENCE`.
 
 use super::conditions::InForce;
-use super::nodes::fields;
+use super::nodes::line_fields;
 use super::scene::Scene;
 use super::steps::Named;
 use super::which_pair;
@@ -22,22 +22,33 @@ impl InForce {
         diagnostics: &mut Diagnostics,
     ) {
         let course = self.course(entry, named, diagnostics);
+        let elements = entry.name("TYPE").is_some_and(|word| word == "ELEMENT");
         let mut lines = scene.deck.lines(entry.card).peekable();
         if lines.peek().is_none() {
-            let fault = Diagnostic::error(entry.card.span, "this card names no pair");
-            diagnostics.push(fault.help("add a line: secondary surface, main surface, overclosure"));
+            let (nothing, whose) = if elements {
+                ("this card names no elements", "element set")
+            } else {
+                ("this card names no pair", "secondary surface, main surface")
+            };
+            let fault = Diagnostic::error(entry.card.span, nothing);
+            diagnostics.push(fault.help(format!("add a line: {whose}, overclosure")));
         }
         for line in lines {
-            let row = Row::read(line, fields(entry), diagnostics);
-            let (Some(secondary), Some(main), true) = (row.token(0), row.token(1), row.sound) else { continue };
-            let pair = which_pair::named((secondary, main), named.pairs, scene, diagnostics);
-            let allowed = if entry.has("SHRINK") {
-                own(&row, diagnostics)
-            } else {
-                given(&row, scene.structure.is_plane(), diagnostics)
+            let row = Row::read(line, line_fields(entry, usize::from(elements)), diagnostics);
+            let (Some(first), true) = (row.token(0), row.sound) else { continue };
+            let contact = match row.token(1) {
+                _ if elements => which_pair::of_elements(first, named, scene, diagnostics),
+                Some(main) => which_pair::named((first, main), named.pairs, scene, diagnostics),
+                None => continue,
             };
-            if let (Some(pair), Some(allowed), Some(course)) = (pair, allowed, &course) {
-                self.of(pair).interference = Some(Interference { allowed, course: course.clone() });
+            let names = if elements { 1 } else { 2 };
+            let allowed = if entry.has("SHRINK") {
+                own(&row, names, diagnostics)
+            } else {
+                given(&row, names, scene.structure.is_plane(), diagnostics)
+            };
+            if let (Some(contact), Some(allowed), Some(course)) = (contact, allowed, &course) {
+                self.of(contact).interference = Some(Interference { allowed, course: course.clone() });
             }
         }
     }
@@ -63,22 +74,22 @@ impl InForce {
     }
 }
 
-/// SHRINK: numbers have no meaning.
-fn own(row: &Row<'_>, diagnostics: &mut Diagnostics) -> Option<Allowed> {
-    if let Some(number) = (2..6).find_map(|i| row.token(i)) {
+/// SHRINK: numbers, which begin after the names, have no meaning.
+fn own(row: &Row<'_>, names: usize, diagnostics: &mut Diagnostics) -> Option<Allowed> {
+    if let Some(number) = (names..names + 4).find_map(|i| row.token(i)) {
         let note = Diagnostic::note(number.span, "numbers have no effect beside `SHRINK`");
         diagnostics.push(note.label("each point begins with its own overclosure"));
     }
     Some(Allowed::Own)
 }
 
-fn given(row: &Row<'_>, plane: bool, diagnostics: &mut Diagnostics) -> Option<Allowed> {
-    let Some(depth) = row.number(2) else {
+fn given(row: &Row<'_>, names: usize, plane: bool, diagnostics: &mut Diagnostics) -> Option<Allowed> {
+    let Some(depth) = row.number(names) else {
         let fault = Diagnostic::error(row.span, "the overclosure is missing");
-        diagnostics.push(fault.help("write: secondary surface, main surface, overclosure; or say `SHRINK`"));
+        diagnostics.push(fault.help("it follows the names; or say `SHRINK`"));
         return None;
     };
-    match direction(row, 3, plane, diagnostics)? {
+    match direction(row, names + 1, plane, diagnostics)? {
         None => Some(Allowed::Overclosure(depth)),
         Some(direction) => Some(Allowed::Shift(direction.map(|d| depth * d))),
     }

@@ -107,7 +107,9 @@ pub fn resolve(deck: &Deck, library: &Library) -> Result<Model, Diagnostics> {
     for entry in entries.iter().filter(|entry| entry.step.is_none() && entry.keyword.name == "BOUNDARY") {
         supports.read(entry, &scene, &amplitudes, &mut diagnostics);
     }
-    let names = Named { amplitudes: &amplitudes, pairs: &contact_pairs };
+    let elements = gaps.iter().map(|(gaps, _)| gaps.name.as_str());
+    let elements = elements.chain(tubes.list.iter().map(|(tubes, _)| tubes.name.as_str())).collect();
+    let names = Named { amplitudes: &amplitudes, pairs: &contact_pairs, elements };
     let steps = steps(&entries, &names, &mut scene, &mut diagnostics);
     if diagnostics.faults() == 0 {
         quality::twins(&scene, &mut diagnostics);

@@ -31,6 +31,8 @@ pub struct Named<'a> {
     pub amplitudes: &'a Amplitudes,
     /// Contact pairs.
     pub pairs: &'a [(PairDefinition, Place)],
+    /// Sets of contact elements: gap elements, then tubes.
+    pub elements: Vec<&'a str>,
 }
 
 /// Reads one step, its `*STEP` first; `None` when it is refused, which was told.

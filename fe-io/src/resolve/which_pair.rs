@@ -1,6 +1,7 @@
 //! Which contact pair a card means.
 
 use super::scene::Scene;
+use super::steps::Named;
 use crate::deck::card::Token;
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::keyword::check::Entry;
@@ -23,6 +24,23 @@ pub fn of_parameters(
     };
     let [secondary, main] = [secondary, main].map(|value| Token { text: &value.text, span: value.span });
     named((secondary, main), pairs, scene, diagnostics)
+}
+
+/// The contact elements of a set, an index into all contacts: they come after the pairs. A missing one is told, unless
+/// faults of the deck explain it.
+pub fn of_elements(
+    set: Token<'_>,
+    named: &Named<'_>,
+    scene: &Scene<'_>,
+    diagnostics: &mut Diagnostics,
+) -> Option<usize> {
+    let name = scene.full_name(set.text);
+    let found = named.elements.iter().position(|known| *known == name);
+    if found.is_none() && diagnostics.faults() == 0 {
+        let fault = Diagnostic::error(set.span, format!("no `*GAP` or `*INTERFACE` has the elements `{name}`"));
+        diagnostics.push(fault.known("", named.elements.iter().copied()));
+    }
+    found.map(|at| named.pairs.len() + at)
 }
 
 /// The pair of two surfaces; a missing one is told, unless faults of the pairs explain it.

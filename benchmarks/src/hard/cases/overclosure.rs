@@ -28,7 +28,8 @@ pub fn scenes() -> Vec<Scene> {
     scenes.push(ever_deeper());
     scenes.push(one_node("NODE TO SURFACE"));
     scenes.push(one_node("SURFACE TO SURFACE"));
-    scenes.push(Scene::waits("allowed overlap ramped to 0", "CONTACT INTERFERENCE"));
+    scenes.push(ramped("1e-3", "UP_YMIN, LOW_YMAX, 1e-3\n"));
+    scenes.push(ramped("SHRINK", "UP_YMIN, LOW_YMAX\n"));
     scenes.push(Scene::waits("one node beyond HCRIT=", "HCRIT on CONTACT CONTROLS; now it is half a facet"));
     scenes
 }
@@ -64,6 +65,25 @@ fn resolved(overlap: f64, large: bool) -> Scene {
         let run = place.run("patch", &patch.held(&patch.mesh(), Order::AsMade));
         let kind = if large { "warning: " } else { "" };
         Finding::warned(&run, &[kind, "UP_YMIN", "overlap"])
+            .measured(&run, |solved| vec![(from_value(patch.pressure_held(solved), &solved.pressures()), 1e-10)])
+    })
+}
+
+/// Let be at first, and taken out over ten increments: the force grows evenly to that of the whole overlap.
+fn ramped(how: &'static str, line: &'static str) -> Scene {
+    Scene::new(format!("patch 4/4, ends held, overlap 0.001 ramped to 0, {how}"), move |place| {
+        let patch = overlapping(1e-3);
+        let shrink = if how == "SHRINK" { ", SHRINK" } else { "" };
+        let card = format!("*CONTACT INTERFERENCE{shrink}\n{line}*END STEP\n");
+        let deck = patch.held(&patch.mesh(), Order::AsMade).replace("*STATIC\n1., 1.\n", "*STATIC, DIRECT\n0.1, 1.\n");
+        let run = place.run("patch", &deck.replace("*END STEP\n", &card));
+        let forces: Vec<f64> = run.certificates.iter().map(|c| c.resultants[0][1]).collect();
+        let last = forces.last().copied().unwrap_or(f64::NAN);
+        let uneven = |(i, force): (usize, &f64)| (force / last - 0.1 * (i + 1) as f64).abs();
+        let worst = forces.iter().enumerate().map(uneven).fold(0.0, f64::max);
+        Finding::converged(&run)
+            .holds(forces.len() == 10, format!("{} increments", forces.len()))
+            .within(worst, 1e-10)
             .measured(&run, |solved| vec![(from_value(patch.pressure_held(solved), &solved.pressures()), 1e-10)])
     })
 }
