@@ -3,7 +3,7 @@ use super::{Choice, Data, DataLine, Field, Keyword, Kind, Level, Parameter};
 pub const CONTACT_DAMPING: Keyword = Keyword {
     name: "CONTACT DAMPING",
     level: Level::Part,
-    summary: "pressure against the speed at which surfaces close or open, on open ones, too; under *SURFACE INTERACTION or *GAP",
+    summary: "pressure against the speed at which surfaces close or open, on open ones, too; under *SURFACE INTERACTION, *GAP or *INTERFACE",
     parameters: &[
         Parameter::choice(
             "DEFINITION",
