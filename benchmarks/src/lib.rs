@@ -18,3 +18,4 @@ pub mod problems;
 pub mod reading;
 pub mod rows;
 pub mod study;
+pub mod windows;

@@ -1,6 +1,8 @@
 //! Exact fields of elastic bodies, each with its source.
 
 pub mod harmonic;
+pub mod point_force;
+pub mod point_window;
 pub mod thick;
 pub mod window;
 

@@ -1,9 +1,9 @@
 //! Problems with known answers: geometry at any refinement, deck and mesh as a user would write them, and the answer.
 
 pub mod cantilever;
-mod contact_area;
+pub mod contact_area;
 pub mod cylinder;
-mod grading;
+pub mod grading;
 pub mod hertz_ball;
 pub mod hertz_line;
 mod octant;

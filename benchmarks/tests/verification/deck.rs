@@ -25,9 +25,13 @@ static RUNS: AtomicUsize = AtomicUsize::new(0);
 
 /// Runs a mesh of one element type with these cards in a folder of its own.
 pub fn run(name: &str, element: ElementType, mesh: Mesh, cards: &str) -> Solution {
+    run_sets(name, vec![("BLOCK", element)], mesh, cards)
+}
+
+/// The same with an element type for each of these cell sets.
+pub fn run_sets(name: &str, elements: Vec<(&'static str, ElementType)>, mesh: Mesh, cards: &str) -> Solution {
     let number = RUNS.fetch_add(1, Ordering::Relaxed);
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("verification").join(format!("{name}_{number}"));
-    let elements = vec![("BLOCK", element)];
     let scene = Scene { name: "job".into(), mesh, elements, cards: cards.into(), unknowns: 0 };
     let deck = scene.write(&folder, MeshFile::Gmsh).unwrap();
     let library = fe::standard();
@@ -46,12 +50,38 @@ fn displacement(terms: &Terms, u: &[f64], node: usize) -> [f64; 3] {
 
 /// Material and section of the set BLOCK.
 pub fn material(young: f64, poisson: f64) -> String {
-    format!("*MATERIAL, NAME=M\n*ELASTIC\n{young:?}, {poisson:?}\n*SOLID SECTION, ELSET=BLOCK, MATERIAL=M\n")
+    material_of("BLOCK", young, poisson)
+}
+
+/// Material and section of a set, both of its name.
+pub fn material_of(set: &str, young: f64, poisson: f64) -> String {
+    format!("*MATERIAL, NAME={set}\n*ELASTIC\n{young:?}, {poisson:?}\n*SOLID SECTION, ELSET={set}, MATERIAL={set}\n")
 }
 
 /// A step in one increment.
 pub fn step(cards: &str) -> String {
     format!("*STEP\n*STATIC\n1., 1.\n{cards}*END STEP\n")
+}
+
+/// The same down to a residual of round-off, for answers that are exact.
+pub fn exact_step(cards: &str) -> String {
+    step(&format!("*CONTROLS, PARAMETERS=FIELD\n1e-12\n{cards}"))
+}
+
+/// A pair of surfaces under hard contact by multipliers.
+pub fn pair(secondary: &str, main: &str, kind: &str) -> String {
+    format!(
+        "*SURFACE INTERACTION, NAME=HARD\n*SURFACE BEHAVIOR, DIRECT\n\
+         *CONTACT PAIR, INTERACTION=HARD, TYPE={kind}, SMALL SLIDING\n{secondary}, {main}\n"
+    )
+}
+
+/// A rigid profile of plane and axisymmetric scenes: its lines, and the reference node's label.
+pub fn profile(name: &str, reference: usize, lines: &str) -> String {
+    format!(
+        "*NODE\n{reference}, 0., -1.\n*SURFACE, NAME={name}, TYPE=SEGMENTS\n{lines}\
+         *RIGID BODY, ANALYTICAL SURFACE={name}, REF NODE={reference}\n"
+    )
 }
 
 /// `*BOUNDARY` of these nodes and components, from 0, with the displacements of a field.
