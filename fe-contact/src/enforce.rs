@@ -74,6 +74,11 @@ impl Contact {
         (answer, status)
     }
 
+    /// Slope of the law itself, without what a touching point is lent.
+    pub(crate) fn own_slope(&self, point: usize, gap: f64, history: &[f64]) -> f64 {
+        self.law.respond(gap + self.allowed(point, history) - self.shift(point, history)).stiffness
+    }
+
     /// λ/K [L] of a point.
     pub(crate) fn shift(&self, point: usize, history: &[f64]) -> f64 {
         if self.multipliers.is_some() { history[self.points.len() + point] } else { 0.0 }

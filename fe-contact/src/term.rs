@@ -155,6 +155,7 @@ impl Term for Contact {
             return Ok(());
         }
         self.allow(&at, new);
+        let moved = at.du.iter().any(|d| *d != 0.0);
         let blocks = out.stiffness.as_deref().map(|k| self.blocks(&k.pattern));
         for (i, p) in self.points.iter().enumerate() {
             let here = self.at(i, at.u);
@@ -186,7 +187,11 @@ impl Term for Contact {
             if let (Some(blocks), Some(stiffness)) = (&blocks, out.stiffness.as_deref_mut()) {
                 // A force along a direction that turns has a stiffness of its own: −N ∂²g/∂u².
                 let turning = here.bending.iter().map(|(factor, row)| (-force * factor, row.as_slice()));
-                let all = std::iter::once((answer.stiffness * measure, &*here.row)).chain(turning);
+                // Once the increment has moved, a point that touches and does not press has come off: held back, points
+                // under tiny loads, which open by no more than round-off of the model's size, would never do so.
+                let came_off = moved && answer.pressure == 0.0 && !self.is_held(i, old);
+                let slope = if came_off { self.own_slope(i, here.gap, new) } else { answer.stiffness };
+                let all = std::iter::once((slope * measure, &*here.row)).chain(turning);
                 for part in all.filter(|part| part.0 != 0.0) {
                     self.add_stiffness(i, part, blocks, stiffness);
                 }

@@ -9,6 +9,7 @@ use crate::plan::{Matrix, Plan};
 use crate::reason::{explain, help};
 use crate::recorder::{self, Increment, Recorder};
 use crate::terms::Terms;
+use fe_contact::point::ContactStatus;
 use fe_contact::redundant::contradiction;
 use fe_contact::state::TooSoft;
 use fe_core::bodies::RigidMotion;
@@ -156,7 +157,22 @@ impl StepRun<'_, '_> {
         certificate.seconds.procedure += procedure.seconds();
         certificate.factorisations += procedure.factorisations();
         self.tell_soft_contact(at);
+        self.tell_open_contact(at);
         ended
+    }
+
+    /// Says where nothing touches.
+    fn tell_open_contact(&mut self, at: &Converged) {
+        let pairs = self.terms.contacts.iter().zip(self.terms.states(at)).filter(|(contact, _)| contact.acts());
+        for (contact, state) in pairs.filter(|(_, state)| state.points.iter().all(|p| p.status == ContactStatus::Open))
+        {
+            let Some(nearest) = state.points.iter().min_by(|a, b| a.opening.total_cmp(&b.opening)) else { continue };
+            let (name, label) = (contact.name(), self.terms.structure.mesh.point_name(nearest.node));
+            self.observer.event(Event::Note(&format!(
+                "{name}: no contact at the end of step {}, the smallest gap is {:.3e} (node {label})",
+                self.number, nearest.opening
+            )));
+        }
     }
 
     /// Warns where a penalty let bodies overlap visibly.
@@ -238,7 +254,14 @@ impl StepRun<'_, '_> {
         if external.iter().all(|f| *f == 0.0) {
             external = loads(initial);
         }
-        match approach(terms, free, &at.u, &external) {
+        let mut end = approach(terms, free, &at.u, &external);
+        // Loads that turn within the step may press at first.
+        if let Approach::Lost(..) = end
+            && let held @ Approach::Moved(_) = approach(terms, free, &at.u, &loads(initial))
+        {
+            end = held;
+        }
+        match end {
             Approach::Moved(bodies) => {
                 for (b, motion) in bodies {
                     let (body, name) = (&terms.bodies[free[b].body], name(&free[b]));

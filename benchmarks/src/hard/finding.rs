@@ -67,6 +67,26 @@ impl Finding {
         found
     }
 
+    /// A run that must end after some increments, with these words in the message.
+    pub fn stopped(run: &Run, words: &[&str]) -> Self {
+        let effort = Some([run.certificates.len(), run.cutbacks, run.iterations]);
+        let mut found = Finding { effort, ..Finding::default() };
+        match &run.ended {
+            Ok(_) => {
+                found.outcome = "converged".into();
+                found.holds(false, "it must end before its time")
+            }
+            Err(why) => {
+                found.outcome = format!("ended: {}", short(why));
+                found = found.holds(!run.panicked, "a panic is no end");
+                found = found.holds(!run.certificates.is_empty(), "it must go on until then");
+                let missing = |word: &&&str| !why.contains(**word);
+                let said = words.iter().filter(missing).copied().collect::<Vec<_>>();
+                found.holds(said.is_empty(), format!("the message does not say {said:?}: {why}"))
+            }
+        }
+    }
+
     /// A run that comes to its end with a remark that holds these words.
     pub fn warned(run: &Run, words: &[&str]) -> Self {
         let mut found = Finding::converged(run);

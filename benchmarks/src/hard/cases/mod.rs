@@ -6,14 +6,18 @@ mod faults;
 mod flush;
 mod gaps;
 mod idle;
+mod increments;
 mod laws;
+mod lost;
 mod members;
 mod moved;
 mod order;
 mod overclosure;
 mod overconstraint;
 mod stiffness;
+mod surfaces;
 mod units;
+mod wrong_side;
 
 use super::Case;
 
@@ -29,11 +33,13 @@ pub const CASES: &[Case] = &[
     Case { id: "D09", name: "edges_and_vertices", scenes: edges::scenes },
     Case { id: "D10", name: "tiny_c0", scenes: laws::tiny_clearance },
     Case { id: "D11", name: "odd_laws", scenes: laws::odd },
+    Case { id: "D13", name: "face_forces", scenes: surfaces::face_forces },
     Case { id: "D15", name: "units", scenes: units::scenes },
     Case { id: "D16", name: "offset", scenes: moved::offset },
     Case { id: "D17", name: "rotation", scenes: moved::rotation },
-    Case { id: "D18", name: "chattering", scenes: gaps::stops },
+    Case { id: "D18", name: "chattering", scenes: lost::chattering },
     Case { id: "D19", name: "conforming_faces", scenes: flush::scenes },
+    Case { id: "D22", name: "no_contact_or_lost", scenes: lost::none_or_lost },
     Case { id: "D24", name: "no_separation", scenes: stiffness::no_separation },
     Case { id: "D27", name: "bad_elements", scenes: elements::bad },
     Case { id: "D28", name: "thin_beams", scenes: members::thin },
@@ -42,6 +48,9 @@ pub const CASES: &[Case] = &[
     Case { id: "D31", name: "empty", scenes: faults::empty },
     Case { id: "D32", name: "gap_degenerate", scenes: gaps::degenerate },
     Case { id: "D33", name: "mesh_contrast", scenes: elements::contrast },
+    Case { id: "D34", name: "increment_size", scenes: increments::scenes },
     Case { id: "D35", name: "order", scenes: order::scenes },
+    Case { id: "D36", name: "wrong_side", scenes: wrong_side::scenes },
+    Case { id: "D37", name: "quadratic_pressure", scenes: surfaces::quadratic_pressure },
     Case { id: "D40", name: "idle", scenes: idle::scenes },
 ];
