@@ -60,7 +60,8 @@ fn A31_receding_layer() {
 }
 
 /// In one increment from all closed: whatever the force is, the layer lifts off at the same place, with the same
-/// pressures over the force, as far as the residual tells, 1e-8 of the force on a node that stands for 1/16.
+/// pressures over the force, as far as the residual tells: 1e-8 of the force on a node that stands for 1/16, and three
+/// times that in the pressures, as hats overlap.
 #[test]
 fn A31_receding_layer_under_any_force() {
     let usual = pressures(&solve(16, 1.0, "SURFACE TO SURFACE"), 1.0);
@@ -70,7 +71,7 @@ fn A31_receding_layer_under_any_force() {
         let found = pressures(&solution, force);
         assert!(open(&found) > 0 && open(&found) == open(&usual), "{force}");
         for ((_, p), (x, q)) in found.iter().zip(&usual) {
-            assert!((p - q).abs() < 1.6e-7, "{force} at {x}: {p} {q}");
+            assert!((p - q).abs() < 4.8e-7, "{force} at {x}: {p} {q}");
         }
     }
 }
