@@ -45,6 +45,35 @@ impl Ground {
     }
 }
 
+/// Enough to find where a law comes to a pressure to a millionth.
+const BISECTIONS: usize = 60;
+
+impl Ground {
+    /// The largest stiffness [F/L³] of a law up to the largest pressure that elastic bodies could bear at all, as large as
+    /// the modulus of the elements beneath: k_e times their length.
+    fn steepest(&self, law: &dyn NormalLaw) -> f64 {
+        let steepest = law.steepest();
+        let largest = self.beneath.map_or(0.0, |k| k * self.length);
+        if largest <= 0.0 || self.stiffest().is_some_and(|spring| steepest <= spring) {
+            return steepest;
+        }
+        let reach = law.reach();
+        // Where the law comes to that pressure, at most as far as a straight line with its typical slope would.
+        let mut far = largest / law.typical_stiffness();
+        if law.respond(reach - far).pressure < largest {
+            return steepest;
+        }
+        let mut near = 0.0;
+        for _ in 0..BISECTIONS {
+            let middle = 0.5 * (near + far);
+            *(if law.respond(reach - middle).pressure < largest { &mut near } else { &mut far }) = middle;
+        }
+        let range = reach - far..reach;
+        let ends = law.kinks(range.clone()).into_iter().chain([range.start, range.end]);
+        ends.map(|gap| law.respond(gap).stiffness).fold(0.0, f64::max).min(steepest)
+    }
+}
+
 /// A law and what stands on top of it.
 #[derive(Clone, Debug)]
 pub(crate) struct Carried {
@@ -69,7 +98,7 @@ impl Carried {
     }
 
     fn softened(law: Arc<dyn NormalLaw>, ground: Ground, multipliers: MultiplierUse) -> Self {
-        match ground.spring(law.steepest(), multipliers) {
+        match ground.spring(ground.steepest(&*law), multipliers) {
             Some(spring) => Self::in_series(law, spring, ground),
             None => Carried { law, bare: None, penalty: None, multipliers: None },
         }
