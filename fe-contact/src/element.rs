@@ -232,9 +232,8 @@ mod tests {
             let state = balls.state(&vec![0.0; freedoms.len()], &vec![0.0; balls.history()]);
             // LINEAR with k = 100 at an overclosure of 0.1.
             let expected = [10.0 * along * 0.6, 10.0 * along * 0.8, 0.0];
-            for c in 0..3 {
-                assert!((state.secondary.force[c] - expected[c]).abs() < 1e-13);
-                assert!((state.main.force[c] + expected[c]).abs() < 1e-13);
+            for ((secondary, main), expected) in state.secondary.force.iter().zip(state.main.force).zip(expected) {
+                assert!((secondary - expected).abs() < 1e-13 && (main + expected).abs() < 1e-13);
             }
         }
     }

@@ -36,12 +36,12 @@ pub struct TubeDefinition {
 /// concentric need a circle, however small, on which they meet.
 const NO_CLEARANCE: f64 = 1e-9;
 
+/// An element and its point.
+type Placed = (CellId, Option<ContactPoint>);
+
 impl TubeDefinition {
     /// The points of all elements, `None` past the ends of the line, or the first element that stands for none.
-    fn points(
-        &self,
-        bodies: (&Structure, &Freedoms),
-    ) -> Result<Vec<(CellId, Option<ContactPoint>)>, (CellId, ElementFault)> {
+    fn points(&self, bodies: (&Structure, &Freedoms)) -> Result<Vec<Placed>, (CellId, ElementFault)> {
         self.cells.iter().map(|&cell| self.point(cell, bodies).map(|p| (cell, p)).map_err(|f| (cell, f))).collect()
     }
 
