@@ -65,6 +65,8 @@ pub(crate) struct Offset {
     pub carriers: Vec<(u32, f64)>,
     /// P: takes out what does not count.
     pub across: Matrix3<f64>,
+    /// The two directions in which the node slides.
+    pub space: Space,
 }
 
 impl Offset {
@@ -84,9 +86,7 @@ impl Offset {
         share.rows.push(Row::new(self.node, &normal, 1.0));
         share.rows.extend(self.carriers.iter().map(|&(n, weight)| Row::new(n, &normal, -weight)));
         share.compress();
-        let plane = freedoms.index(self.node as usize, 2).is_none();
-        let space = if plane { Space::Plane } else { Space::Solid };
-        share.into_point(measure, freedoms, None, Some(space))
+        share.into_point(measure, freedoms, None, Some(self.space))
     }
 
     /// A point whose nodes are at most (d > 0) or at least (d < 0) |d| [L] apart. Without large displacements its direction
@@ -107,14 +107,12 @@ impl Offset {
 
     /// A round point that begins at the offset `start`.
     fn round(&self, start: Vec3, distance: f64, measure: Measure, freedoms: &Freedoms) -> ContactPoint {
-        let axes = [0, 1, 2].map(|c| {
-            let direction: Vec3 = self.across.row(c).transpose();
-            self.flat(direction, 0.0, measure, freedoms)
-        });
+        let axes = [0, 1, 2].map(|c| self.flat(Vec3::ith(c, 1.0), 0.0, measure, freedoms));
         let nodes = axes[0].nodes.clone();
         let rows = axes.map(|axis| axis.row);
         let row = vec![0.0; rows[0].len()];
-        let round = Some(Box::new(Round { start: start.into(), rows, distance }));
+        let round =
+            Some(Box::new(Round { start: start.into(), rows, across: self.across, space: self.space, distance }));
         ContactPoint { node: self.node, gap: distance, normal: [0.0; 3], measure, nodes, row, round, slide: None }
     }
 }
@@ -212,7 +210,7 @@ mod tests {
             [(along, [0.3, 0.4, 7.0], 0.0424428900898053), (Matrix3::identity(), [0.3, 0.4, 0.0], 0.0593132631298738)]
         {
             let (structure, freedoms) = elements(GAPSPHER, &[place]);
-            let offset = Offset { node: 1, carriers: vec![(0, 1.0)], across };
+            let offset = Offset { node: 1, carriers: vec![(0, 1.0)], across, space: Space::Solid };
             let start = offset.start(&structure).unwrap();
             let point = offset.round(start, -0.45, Measure::Point, &freedoms);
             let kinematics = point.at(&MOVED, &[0..3, 3..6]);

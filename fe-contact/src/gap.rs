@@ -10,6 +10,7 @@ use crate::facet::Vec3;
 use crate::interaction::Interaction;
 use crate::point::{ContactPoint, Measure};
 use crate::summary::Origin;
+use crate::tangents::Space;
 use fe_core::element::ElementType;
 use fe_core::{Freedoms, Structure};
 use fe_mesh::CellId;
@@ -57,7 +58,7 @@ impl GapDefinition {
             (ElementType::GAPCYL, Some(axis)) => Matrix3::identity() - axis * axis.transpose(),
             _ => Matrix3::identity(),
         };
-        let offset = Offset { node: nodes[1], carriers: vec![(nodes[0], 1.0)], across };
+        let offset = Offset { node: nodes[1], carriers: vec![(nodes[0], 1.0)], across, space: Space::Solid };
         if self.element == ElementType::GAPUNI {
             let along = direction.or_else(|| offset.start(structure).map(|w| w.normalize()));
             let n = along.ok_or(ElementFault::NoDirection { element })?;

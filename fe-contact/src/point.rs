@@ -2,6 +2,7 @@
 
 use crate::facet::Vec3;
 use crate::tangents::{Space, tangents};
+use nalgebra::Matrix3;
 use std::borrow::Cow;
 use std::ops::Range;
 
@@ -72,14 +73,19 @@ pub struct Slide {
 }
 
 /// A gap between two circles or balls, one in the other or side by side, whose direction is that of the offset
-/// w = w₀ + Σ rows·u of the second centre from the first: g = d − |w| for d > 0 (d the largest distance of the centres),
+/// w = w₀ + P Σ rows·u of the second centre from the first, P taking out an axis: g = d − |w| for d > 0 (d the largest distance of the centres),
 /// g = |w| − |d| for d < 0 (|d| the least one). Abaqus Analysis User's Manual, Gap contact elements.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Round {
     /// w₀ [L].
     pub start: [f64; 3],
-    /// Derivatives of the components of w by the freedoms of the point's nodes, as [`ContactPoint::row`].
+    /// Derivatives of the components of the second centre's motion against the first by the freedoms of the point's nodes,
+    /// as [`ContactPoint::row`].
     pub rows: [Vec<f64>; 3],
+    /// P.
+    pub across: Matrix3<f64>,
+    /// The two directions in which it slides, along the axis too.
+    pub space: Space,
     /// d [L].
     pub distance: f64,
 }
@@ -133,7 +139,7 @@ impl ContactPoint {
             None => self.slide.as_deref().map(Cow::Borrowed),
             Some(round) => {
                 let now = round.offset(u, places);
-                let start = Vec3::from_fn(|c, _| now[c] - dot(&round.rows[c], du, places));
+                let start = now - round.moved(du, places);
                 round.slide([start, now]).map(Cow::Owned)
             }
         }
@@ -160,12 +166,17 @@ impl Round {
     fn slide(&self, offsets: [Vec3; 2]) -> Option<Slide> {
         let m = offsets.into_iter().find_map(|offset| offset.try_normalize(0.0))?;
         let sign = if self.distance > 0.0 { -1.0 } else { 1.0 };
-        let directions = tangents(&(m * sign), Space::Solid);
+        let directions = tangents(&(m * sign), self.space);
         Some(Slide { directions: directions.map(Into::into), rows: directions.map(|t| self.along(&t)) })
     }
 
     fn offset(&self, u: &[f64], places: &[Range<usize>]) -> Vec3 {
-        Vec3::from_fn(|c, _| self.start[c] + dot(&self.rows[c], u, places))
+        Vec3::from(self.start) + self.moved(u, places)
+    }
+
+    /// What a motion changes of the offset.
+    fn moved(&self, motion: &[f64], places: &[Range<usize>]) -> Vec3 {
+        self.across * Vec3::from_fn(|c, _| dot(&self.rows[c], motion, places))
     }
 
     /// g at |w|.
@@ -182,14 +193,14 @@ impl Round {
             let row = Cow::Owned(vec![0.0; self.rows[0].len()]);
             return Kinematics { gap, normal: [0.0; 3], row, bending: Vec::new() };
         };
-        // ∂²|w|/∂w² = (I − m mᵀ)/|w| = Σ b bᵀ/|w| over two directions across m.
+        // ∂²|w|/∂w² = (I − m mᵀ)/|w| = Σ b bᵀ/|w| over two directions across m; ∂w/∂x = P.
         let first = m.cross(&Vec3::ith(m.iamin(), 1.0)).normalize();
         let across = [first, m.cross(&first)];
-        let bending = across.map(|b| (sign / distance, self.along(&b))).into();
+        let bending = across.map(|b| (sign / distance, self.along(&(self.across * b)))).into();
         Kinematics { gap, normal: (m * sign).into(), row: Cow::Owned(self.along(&(m * sign))), bending }
     }
 
-    /// Derivatives of w in a direction.
+    /// Derivatives of the motion in a direction.
     fn along(&self, direction: &Vec3) -> Vec<f64> {
         let [x, y, z] = &self.rows;
         x.iter().zip(y).zip(z).map(|((x, y), z)| direction.dot(&Vec3::new(*x, *y, *z))).collect()

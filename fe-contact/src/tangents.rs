@@ -3,24 +3,27 @@
 use crate::facet::Vec3;
 
 /// Whether surfaces slide in a plane or in space.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Space {
     /// Plane and axisymmetric models: along one direction.
     Plane,
     /// Along two.
     Solid,
+    /// Along two, of which the first goes along a line of this unit direction.
+    Led(Vec3),
 }
 
 /// Below this angle to x [rad], 0.1°, the projection of x on the surface is that of z instead.
 const NEAR: f64 = 0.1 * std::f64::consts::PI / 180.0;
 
-/// t₁, t₂ across a unit normal: in a plane t₁ = e_z × n; in space t₁ the projection of global x, of z where the normal is
-/// nearly along x, and t₂ = n × t₁ (Abaqus Analysis User's Manual, Conventions).
+/// t₁, t₂ across a unit normal: in a plane t₁ = e_z × n; in space t₁ the projection of the line's direction, or of global x, of
+/// z where the normal is nearly along x, and t₂ = n × t₁ (Abaqus Analysis User's Manual, Conventions).
 pub fn tangents(normal: &Vec3, space: Space) -> [Vec3; 2] {
     let wanted = match space {
         Space::Plane => Vec3::z().cross(normal),
         Space::Solid if normal.cross(&Vec3::x()).norm() <= NEAR.sin() => Vec3::z(),
         Space::Solid => Vec3::x(),
+        Space::Led(line) => line,
     };
     let second = normal.cross(&wanted).try_normalize(0.0).unwrap_or_else(Vec3::zeros);
     [second.cross(normal), second]

@@ -10,6 +10,7 @@ use crate::interaction::Interaction;
 use crate::point::{ContactPoint, Measure};
 use crate::slide_line::SlideLine;
 use crate::summary::Origin;
+use crate::tangents::Space;
 use fe_core::element::ElementType;
 use fe_core::{Freedoms, Structure};
 use fe_mesh::CellId;
@@ -58,12 +59,12 @@ impl TubeDefinition {
             return Err(ElementFault::OnItsLine { element, kind });
         }
         let Some(foot) = self.line.nearest(structure, node) else { return Ok(None) };
-        let offset = Offset { node, carriers: foot.weights, across: Matrix3::identity() };
+        let tangent = Vec3::from(foot.tangent);
+        let offset = Offset { node, carriers: foot.weights, across: Matrix3::identity(), space: Space::Led(tangent) };
         let point = match offset.start(structure) {
             Some(r) if self.clearance == 0.0 => Some(offset.flat(-r.normalize(), -r.norm(), Measure::Point, bodies.1)),
             Some(_) => offset.apart(self.clearance, Measure::Point, bodies),
             None => {
-                let tangent = Vec3::from(foot.tangent);
                 let across = Matrix3::identity() - tangent * tangent.transpose();
                 Offset { across, ..offset }.apart(self.concentric_clearance(structure), Measure::Point, bodies)
             }

@@ -108,7 +108,8 @@ fn elements(source: &Source, table: &Table) -> Vec<ElementRow> {
     rows
 }
 
-/// The normal force over the area, or the gap (of tubes the overclosure), of the contact elements of a set.
+/// What the contact elements of a set do: the normal force over the area, or the gap (of tubes the overclosure), as 11; shear
+/// or slip as 12 and 13.
 fn contact_elements(source: &Source, table: &Table, cells: &[CellId]) -> Vec<ElementRow> {
     let mesh = &source.terms.structure.mesh;
     let mut rows = Vec::new();
@@ -117,8 +118,9 @@ fn contact_elements(source: &Source, table: &Table, cells: &[CellId]) -> Vec<Ele
         let tubes = matches!(contact.summary().origin, Origin::Elements(element) if element.family() == Family::Tube);
         rows.extend(of_set.map(|(cell, point)| {
             let strain = if tubes { -point.opening } else { point.opening };
-            let normal = if table.quantity == Quantity::Stress { point.pressure } else { strain };
-            ElementRow { element: mesh.cell_label(*cell), point: 1, values: [normal, 0.0, 0.0, 0.0, 0.0, 0.0] }
+            let stress = table.quantity == Quantity::Stress;
+            let (normal, [one, other]) = if stress { (point.pressure, point.shear) } else { (strain, point.slip) };
+            ElementRow { element: mesh.cell_label(*cell), point: 1, values: [normal, 0.0, 0.0, one, 0.0, other] }
         }));
     }
     rows

@@ -66,14 +66,14 @@ impl Terms {
             contacts.push(pair);
         }
         for (definition, place) in &model.gaps {
-            let interaction = &model.interactions[definition.interaction];
+            let interaction = &interactions[definition.interaction];
             let gaps = Contact::of_gaps((&structure, &freedoms), definition, interaction)
                 .map_err(|e| format!("{}:{}: {e}", place.file, place.line))?;
             notes.extend(gaps.notes().iter().cloned());
             contacts.push(gaps);
         }
         for (definition, place) in &model.tubes {
-            let interaction = &model.interactions[definition.interaction];
+            let interaction = &interactions[definition.interaction];
             let at = format!("{}:{}", place.file, place.line);
             let tubes = Contact::of_tubes((&structure, &freedoms), definition, interaction);
             let tubes = tubes.map_err(|e| format!("{at}: {e}"))?;

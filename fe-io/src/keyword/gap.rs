@@ -3,7 +3,7 @@ use super::{Choice, Data, DataLine, Field, Keyword, Kind, Level, Parameter};
 pub const GAP: Keyword = Keyword {
     name: "GAP",
     level: Level::Part,
-    summary: "distance, direction and area of gap elements; *SURFACE BEHAVIOR may follow, hard contact without it",
+    summary: "distance, direction and area of gap elements; *SURFACE BEHAVIOR and *FRICTION may follow, hard contact without them",
     parameters: &[Parameter::name("ELSET", "the elements, all of one type").required()],
     data: Data::Lines(&[DataLine::once(&[
         Field::number(
@@ -26,7 +26,7 @@ pub const GAP: Keyword = Keyword {
 pub const INTERFACE: Keyword = Keyword {
     name: "INTERFACE",
     level: Level::Part,
-    summary: "radial clearance of tube-to-tube elements, which *SLIDE LINE leads; *SURFACE BEHAVIOR may follow",
+    summary: "radial clearance of tube-to-tube elements, which *SLIDE LINE leads; *SURFACE BEHAVIOR and *FRICTION may follow",
     parameters: &[
         Parameter::name("ELSET", "the elements, all of one type and on one slide line").required(),
         Parameter::silent("NAME", "of no meaning here"),

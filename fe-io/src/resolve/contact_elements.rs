@@ -43,20 +43,10 @@ pub fn gaps(
         }
         _ => {}
     }
-    let interaction = interaction(entry, interactions, diagnostics)?;
+    let interaction = interactions.of_card(entry.card.span)?;
     let gaps = GapDefinition { name, element, cells, distance, direction, area: row.number(4), interaction };
     gaps.check(&scene.structure).map_err(|fault| refuse(entry, fault, scene, diagnostics)).ok()?;
     Some((gaps, place(entry, scene)))
-}
-
-/// The interaction of a card of contact elements; friction is refused.
-pub fn interaction(entry: &Entry<'_>, interactions: &Interactions, diagnostics: &mut Diagnostics) -> Option<usize> {
-    let index = interactions.of_card(entry.card.span)?;
-    if interactions.list[index].friction.is_some() {
-        let title = format!("`*FRICTION` under `*{}` is not there yet", entry.keyword.name);
-        diagnostics.push(Diagnostic::error(entry.card.span, title).help("contact elements slide freely: leave it out"));
-    }
-    Some(index)
 }
 
 /// An element that stands for no constraint, at its own line.

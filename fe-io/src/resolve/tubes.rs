@@ -1,6 +1,6 @@
 //! `*INTERFACE` and `*SLIDE LINE`.
 
-use super::contact_elements::{elements, interaction, one_line, place, refuse};
+use super::contact_elements::{elements, one_line, place, refuse};
 use super::interactions::Interactions;
 use super::scene::Scene;
 use super::sets::generated;
@@ -72,7 +72,7 @@ impl Tubes {
                 return;
             }
             let line = first.and_then(|i| self.lines[i].0.clone());
-            let (Some(line), Some(interaction)) = (line, interaction(entry, interactions, diagnostics)) else { return };
+            let (Some(line), Some(interaction)) = (line, interactions.of_card(entry.card.span)) else { return };
             let clearance = row.number(0).unwrap_or_default();
             let tubes = TubeDefinition { name, element, cells, clearance, line, interaction };
             match tubes.check(&scene.structure) {
