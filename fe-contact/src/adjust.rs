@@ -5,6 +5,7 @@ use crate::closest::{Closest, EXTENSION, Found};
 use crate::error::PairError;
 use crate::facet::Vec3;
 use crate::interaction::Interaction;
+use crate::node_to_surface::Node;
 use crate::pair::{Adjust, PairDefinition};
 use crate::search::Grid;
 use crate::sides::{Prepared, characteristic_length};
@@ -54,13 +55,30 @@ fn of_pair(
         Adjust::Within(distance) => gap <= *distance,
         Adjust::Nodes(set) => gap < 0.0 || set.contains(&node),
     };
+    let mut moves = Vec::new();
+    for (n, foot) in feet(structure, definition, &sides) {
+        if let Some((gap, normal)) = foot
+            && gap != 0.0
+            && chosen(n.node, gap)
+        {
+            moves.push(Moved { pair, node: n.node, to: (n.x + sides.origin - normal * gap).into(), gap });
+        }
+    }
+    Ok(moves)
+}
+
+/// The secondary nodes, each with its gap [L] to the main surface and the normal there, where it has one.
+pub(crate) fn feet(
+    structure: &Structure,
+    definition: &PairDefinition,
+    sides: &Prepared,
+) -> Vec<(Node, Option<(f64, Vec3)>)> {
     // A rigid main side has no facets among which to search.
     let grid = (!sides.main.is_empty()).then(|| Grid::of_facets(&sides.main, EXTENSION));
     let closest = grid.as_ref().map(|grid| Closest::new(&sides.main, grid));
     let length = characteristic_length(&sides.secondary).or_else(|| characteristic_length(&sides.main));
     let deepest = length.map_or(f64::INFINITY, |l| 0.5 * l);
-    let mut moves = Vec::new();
-    for n in secondary_points(structure, &sides) {
+    let of_node = |n: Node| {
         let foot = match &definition.main {
             Main::Faces(_) => match closest.as_ref().map(|c| c.foot(&n.x, n.outward.as_ref(), deepest)) {
                 Some(Found::Foot(foot)) => Some((foot.gap, foot.normal)),
@@ -71,12 +89,7 @@ fn of_pair(
                 at.filter(|(gap, normal)| *gap >= -deepest && n.outward.is_none_or(|o| o.dot(normal) < 0.0))
             }
         };
-        if let Some((gap, normal)) = foot
-            && gap != 0.0
-            && chosen(n.node, gap)
-        {
-            moves.push(Moved { pair, node: n.node, to: (n.x + sides.origin - normal * gap).into(), gap });
-        }
-    }
-    Ok(moves)
+        (n, foot)
+    };
+    secondary_points(structure, sides).into_iter().map(of_node).collect()
 }

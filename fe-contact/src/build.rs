@@ -1,17 +1,19 @@
 //! How a definition becomes a pair: surfaces checked, points found, the law resolved.
 
+use crate::adjust;
 use crate::carry::{Carried, Ground, NoStiffness};
 use crate::closest::EXTENSION;
 use crate::conditions::{Activity, Overrides};
 use crate::contact::Contact;
-use crate::enforce::TOUCH;
+use crate::enforce::{Separation, TOUCH};
 use crate::error::PairError;
 use crate::facet::{Facet, Vec3};
-use crate::interaction::{Interaction, NormalBehavior};
+use crate::friction::Friction;
+use crate::interaction::{Enforcement, Interaction, NormalBehavior};
 use crate::line;
 use crate::node_to_surface::{self, Node};
 use crate::overlap::Sides;
-use crate::pair::{Discretization, PairDefinition};
+use crate::pair::{Bond, Discretization, PairDefinition};
 use crate::point::{ContactPoint, Measure};
 use crate::search::{Bounds, Grid};
 use crate::sides::{Prepared, characteristic_length, label};
@@ -23,7 +25,7 @@ use crate::tangents::Space;
 use crate::viscous::Viscous;
 use fe_core::{Freedoms, Structure};
 use fe_mesh::CellId;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Mutex;
 
 impl Contact {
@@ -35,6 +37,8 @@ impl Contact {
         interaction: &Interaction,
     ) -> Result<Self, PairError> {
         check_numbers(interaction)?;
+        let tied = (definition.bond == Bond::Tied).then(|| tied(interaction));
+        let interaction = tied.as_ref().unwrap_or(interaction);
         let mut sides = Prepared::new(structure, definition, interaction)?;
         let discretization = settle(definition, &mut sides)?;
         let deepest = deepest(definition, &sides, interaction);
@@ -48,6 +52,9 @@ impl Contact {
             if let Some(clearance) = definition.clearance.as_ref().and_then(|c| c.of(share.node)) {
                 share.stand(clearance.value, clearance.normal.map(Vec3::from));
             }
+        }
+        if tied.is_some() {
+            tie((structure, definition), &mut sides, &mut constraints);
         }
         remark(definition, &constraints, (discretization, &mut sides.notes));
         sides.notes.extend(begins_inside(structure, definition, &constraints, deepest));
@@ -76,9 +83,15 @@ impl Contact {
             searched,
         };
         let ground = ground((structure, freedoms), &sides, definition, &found.points);
-        Contact::of_points((structure, freedoms), (found, sides), interaction, ground).map_err(|NoStiffness| {
-            PairError::NoStiffness { secondary: definition.secondary_name.clone(), main: definition.main_name.clone() }
-        })
+        let mut pair =
+            Contact::of_points((structure, freedoms), (found, sides), interaction, ground).map_err(|NoStiffness| {
+                let (secondary, main) = (definition.secondary_name.clone(), definition.main_name.clone());
+                PairError::NoStiffness { secondary, main }
+            })?;
+        if tied.is_some() {
+            pair.separation = Separation::Tied;
+        }
+        Ok(pair)
     }
 
     /// Points, however they were found, with what carries them.
@@ -104,7 +117,7 @@ impl Contact {
             blocks: Mutex::default(),
             multipliers,
             tangential,
-            no_separation: interaction.no_separation,
+            separation: if interaction.no_separation { Separation::OnceClosed } else { Separation::Free },
             law,
             bare,
             stuck: Vec::new(),
@@ -177,6 +190,46 @@ fn check_numbers(interaction: &Interaction) -> Result<(), PairError> {
         }
     }
     Ok(())
+}
+
+/// What a tied pair makes of its interaction: hard by multipliers, rough, no separation.
+fn tied(interaction: &Interaction) -> Interaction {
+    Interaction {
+        normal: NormalBehavior::Hard(Enforcement::Direct),
+        no_separation: true,
+        friction: Some(Friction::Rough),
+        ..interaction.clone()
+    }
+}
+
+/// A node lies on the main surface where it is this near to it, of the model's size [-]: what rounding leaves of an
+/// adjustment to a curved facet.
+const ON_SURFACE: f64 = 1e-9;
+
+/// Leaves of the constraints those of nodes that lie on the main surface, and says how many do not. What gap is left, of
+/// facets that are chords, is free of stress.
+fn tie((structure, definition): (&Structure, &PairDefinition), sides: &mut Prepared, constraints: &mut Constraints) {
+    let near = ON_SURFACE * model_size(structure);
+    let feet = adjust::feet(structure, definition, sides);
+    let on = |foot: &(f64, Vec3)| foot.0.abs() <= near;
+    let landed: BTreeSet<u32> =
+        feet.iter().filter(|(_, foot)| foot.as_ref().is_some_and(on)).map(|(node, _)| node.node).collect();
+    constraints.shares.retain(|share| landed.contains(&share.node));
+    constraints.shares.iter_mut().for_each(|share| share.stand(0.0, None));
+    // Mid-side nodes follow their corners.
+    let middle: BTreeSet<u32> = sides.secondary.iter().flat_map(|f| &f.nodes()[f.corners()..]).copied().collect();
+    let free: Vec<u32> =
+        sides.secondary_nodes.iter().copied().filter(|n| !landed.contains(n) && !middle.contains(n)).collect();
+    if let Some(&first) = free.first() {
+        let (secondary, main) = (&definition.secondary_name, &definition.main_name);
+        sides.notes.push(format!(
+            "warning: {} of {} nodes of {secondary} do not lie on {main} and are free, the first is {}; a larger ADJUST ties \
+             them",
+            free.len(),
+            sides.secondary_nodes.len() - middle.len(),
+            label(structure, first)
+        ));
+    }
 }
 
 /// The discretization that the surfaces allow.

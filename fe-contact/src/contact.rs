@@ -2,7 +2,7 @@
 
 use crate::carry::Ground;
 use crate::conditions::{Activity, Overrides};
-use crate::enforce::Multipliers;
+use crate::enforce::{Multipliers, Separation};
 use crate::facet::Vec3;
 use crate::friction::Coulomb;
 use crate::interaction::NormalBehavior;
@@ -42,8 +42,8 @@ pub struct Contact {
     pub(crate) multipliers: Option<Multipliers>,
     /// What acts along the surface.
     pub(crate) tangential: Option<Tangential>,
-    /// True where points that closed may pull.
-    pub(crate) no_separation: bool,
+    /// When points may pull.
+    pub(crate) separation: Separation,
     /// Length [L] of the facets, or what stands for it; 0 where nothing does.
     pub(crate) length: f64,
     /// Gaps [L] this near to the law's kink touch.
@@ -109,6 +109,11 @@ impl Contact {
     /// The law of friction; `None`: the surfaces slide freely.
     pub fn friction(&self) -> Option<&Coulomb> {
         self.tangential.as_ref().map(|t| &t.law)
+    }
+
+    /// True for a tied pair: its points neither part nor slide.
+    pub fn is_tied(&self) -> bool {
+        self.separation == Separation::Tied
     }
 
     /// True where multipliers hold sticking points: they do not move at all.

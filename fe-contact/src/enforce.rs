@@ -16,6 +16,17 @@ pub(crate) const OPEN: f64 = 0.0;
 pub(crate) const CLOSED: f64 = 1.0;
 pub(crate) const SLIPPING: f64 = 2.0;
 
+/// When points may pull.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Separation {
+    /// Never.
+    Free,
+    /// Once they have closed: `NO SEPARATION`.
+    OnceClosed,
+    /// From the start on: `TIED`.
+    Tied,
+}
+
 /// Part of the largest pressure that a multiplier may be wrong by where no overclosure is allowed [-]: what rounding
 /// leaves of systems with a condition number up to 1e4.
 const EXACT: f64 = 1e-12;
@@ -89,9 +100,13 @@ impl Contact {
         4.0 * f64::EPSILON / TOUCH * self.touch
     }
 
-    /// True where a point that was closed at the end of the last increment may not open any more.
+    /// True where a point may not open any more: one that was closed at the end of the last increment, or a tied one.
     pub(crate) fn is_held(&self, point: usize, history: &[f64]) -> bool {
-        self.no_separation && history[point] != OPEN
+        match self.separation {
+            Separation::Free => false,
+            Separation::OnceClosed => history[point] != OPEN,
+            Separation::Tied => true,
+        }
     }
 
     /// Takes pressures and shears as multipliers; the worst of what is not met yet.

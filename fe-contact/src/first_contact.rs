@@ -20,7 +20,8 @@ pub struct RigidContact {
     touch: DVector<f64>,
     /// How the gaps change with the motions, `[points × motions]`.
     rates: DMatrix<f64>,
-    /// How the slips of each point change with the motions; none without friction.
+    /// How the slips of each point change with the motions, none without friction; of a tied point its gap too, which then
+    /// has no row in `rates`: it neither opens nor closes.
     slips: Vec<Vec<DVector<f64>>>,
 }
 
@@ -45,7 +46,8 @@ impl RigidContact {
         let mut points = every_point(pairs);
         points.iter().any(|(pair, i)| pair.on_plateau(*i, u)).then(|| {
             let answers = |(pair, i): &(&Contact, usize)| {
-                pair.opening_at_start(*i, u) <= pair.law().reach() + pair.touch && !pair.on_plateau(*i, u)
+                let closed = pair.opening_at_start(*i, u) <= pair.law().reach() + pair.touch;
+                pair.is_tied() || (closed && !pair.on_plateau(*i, u))
             };
             points.retain(answers);
             Self::of(&points, u, motions)
@@ -53,17 +55,26 @@ impl RigidContact {
     }
 
     fn of(points: &[(&Contact, usize)], u: &[f64], motions: impl ExactSizeIterator<Item = Vec<f64>>) -> Self {
-        let gaps: Vec<f64> = points.iter().map(|(pair, i)| pair.opening_at_start(*i, u) - pair.law().reach()).collect();
+        let gap = |(pair, i): &(&Contact, usize)| {
+            if pair.is_tied() { 0.0 } else { pair.opening_at_start(*i, u) - pair.law().reach() }
+        };
+        let gaps: Vec<f64> = points.iter().map(gap).collect();
         let touch: Vec<f64> = points.iter().map(|(pair, _)| pair.touch).collect();
         let mut rates = DMatrix::zeros(gaps.len(), motions.len());
-        let along = |(pair, i): &(&Contact, usize)| if pair.slides(*i, u) { 2 } else { 0 };
+        let along = |(pair, i): &(&Contact, usize)| match (pair.is_tied(), pair.slides(*i, u)) {
+            (true, _) => 3,
+            (_, true) => 2,
+            _ => 0,
+        };
         let mut slips: Vec<Vec<DVector<f64>>> =
             points.iter().map(|point| vec![DVector::zeros(motions.len()); along(point)]).collect();
         for (k, field) in motions.enumerate() {
             for (row, (pair, i)) in points.iter().enumerate() {
-                rates[(row, k)] = pair.rate(*i, u, &field);
-                let slip = pair.slip_rate(*i, u, &field);
-                slips[row].iter_mut().zip(slip).for_each(|(rates, rate)| rates[k] = rate);
+                let (gap, [one, other]) = (pair.rate(*i, u, &field), pair.slip_rate(*i, u, &field));
+                if !pair.is_tied() {
+                    rates[(row, k)] = gap;
+                }
+                slips[row].iter_mut().zip([one, other, gap]).for_each(|(rates, rate)| rates[k] = rate);
             }
         }
         RigidContact { gaps: gaps.into(), touch: touch.into(), rates, slips }

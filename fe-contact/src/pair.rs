@@ -50,6 +50,17 @@ impl Clearance {
     }
 }
 
+/// Whether the surfaces of a pair may part.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Bond {
+    /// They touch or part, as the interaction says.
+    #[default]
+    Contact,
+    /// `TIED`: nodes that lie on the main surface once `ADJUST` has moved them neither part nor slide, whatever the
+    /// interaction says; others are free.
+    Tied,
+}
+
 /// A contact pair as a model holds it.
 #[derive(Clone, Debug)]
 pub struct PairDefinition {
@@ -67,6 +78,8 @@ pub struct PairDefinition {
     pub discretization: Discretization,
     /// True where the deck says that the surfaces hardly slide.
     pub small_sliding: bool,
+    /// Whether the surfaces may part.
+    pub bond: Bond,
     /// Strain-free adjustment.
     pub adjust: Option<Adjust>,
     /// Gaps of the start.

@@ -1,7 +1,7 @@
 //! What a pair does at a displacement: point by point, in sum, and as nodal forces.
 
 use crate::contact::Contact;
-use crate::enforce::SLIPPING;
+use crate::enforce::{SLIPPING, Separation};
 use crate::facet::Vec3;
 use crate::point::{ContactStatus, Measure};
 use crate::summary::{Means, MeasureKind, Origin};
@@ -144,7 +144,7 @@ impl Contact {
             if self.acts() {
                 keep_larger(&mut state.largest_overclosure, p.node, -opening);
             }
-            if !self.no_separation {
+            if self.separation == Separation::Free {
                 keep_larger(&mut state.largest_tension, p.node, -answer.pressure);
             }
             if let (ContactStatus::Closed | ContactStatus::Slipping, Measure::Area(a)) = (status, p.measure) {

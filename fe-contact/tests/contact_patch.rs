@@ -81,6 +81,7 @@ fn deviation(patch: &Patch, enforcement: Enforcement) -> f64 {
         interaction: 0,
         discretization: Discretization::SurfaceToSurface,
         small_sliding: true,
+        bond: Default::default(),
         adjust: None,
         clearance: None,
     };

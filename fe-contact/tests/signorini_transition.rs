@@ -71,6 +71,7 @@ fn solve(element: ElementType, n: usize, discretization: Discretization, direct:
         interaction: 0,
         discretization,
         small_sliding: true,
+        bond: Default::default(),
         adjust: None,
         clearance: None,
     };

@@ -248,8 +248,9 @@ fn contact_in_words(pair: &Contact) -> String {
         None => format!("softened, {}", pair.law().words(s.measure)),
     };
     let (name, points, number) = (pair.name(), s.points, s.measure.words());
+    let tied = if pair.is_tied() { "tied from the start, in tension too, " } else { "" };
     let friction = pair.friction().map_or(String::new(), |friction| friction_in_words(pair, friction));
-    format!("{name}: {how}, {points} points, {law}{friction}; the law's number is a {number}")
+    format!("{name}: {how}, {points} points, {tied}{law}{friction}; the law's number is a {number}")
 }
 
 /// Friction with what sticking points give way by.

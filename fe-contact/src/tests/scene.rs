@@ -163,6 +163,7 @@ pub fn surfaces(secondary: Vec<Face>, main: Vec<Face>, discretization: Discretiz
         interaction: 0,
         discretization,
         small_sliding: true,
+        bond: Default::default(),
         adjust: None,
         clearance: None,
     }

@@ -26,7 +26,10 @@ pub const CONTACT_PAIR: Keyword = Keyword {
             Kind::Text,
             "secondary nodes are moved onto the main surface without strain: those open by no more than a length, or those of a node set, and those that overlap",
         ),
-        Parameter::not_yet("TIED", "give both sides common nodes"),
+        Parameter::flag(
+            "TIED",
+            "with ADJUST: secondary nodes that lie on the main surface then neither part nor slide, whatever the interaction says",
+        ),
         Parameter::idle("EXTENSION ZONE", FROZEN),
         Parameter::idle("HCRIT", FROZEN),
         Parameter::idle("SMOOTH", FROZEN),

@@ -21,6 +21,9 @@ pub fn read(
     diagnostics: &mut Diagnostics,
 ) {
     let Some(k) = which_pair::of_parameters(entry, pairs, scene, diagnostics) else { return };
+    if which_pair::is_tied(entry, &pairs[k], diagnostics) {
+        return;
+    }
     let pair = &pairs[k].0;
     if pair.clearance.is_some() {
         diagnostics.push(Diagnostic::error(entry.card.span, "this pair has a `*CLEARANCE` already"));

@@ -95,6 +95,9 @@ impl InForce {
             let row = Row::read(line, fields(entry), diagnostics);
             let (Some(secondary), Some(main), true) = (row.token(0), row.token(1), row.sound) else { continue };
             let Some(pair) = which_pair::named((secondary, main), pairs, scene, diagnostics) else { continue };
+            if which_pair::is_tied(entry, &pairs[pair], diagnostics) {
+                continue;
+            }
             let before = std::mem::replace(&mut self.of(pair).activity, activity);
             if before == activity {
                 let already = if activity == Activity::Removed { "is removed" } else { "acts" };

@@ -41,6 +41,10 @@ impl InForce {
                 Some(main) => which_pair::named((first, main), named.pairs, scene, diagnostics),
                 None => continue,
             };
+            let mut tied = |contact: &usize| {
+                named.pairs.get(*contact).is_some_and(|pair| which_pair::is_tied(entry, pair, diagnostics))
+            };
+            let contact = contact.filter(|contact| !tied(contact));
             let names = if elements { 1 } else { 2 };
             let allowed = if entry.has("SHRINK") {
                 own(&row, names, diagnostics)

@@ -10,7 +10,7 @@ use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::keyword::check::Entry;
 use crate::keyword::row::Row;
 use crate::model::Place;
-use fe_contact::pair::{Adjust, Discretization, PairDefinition};
+use fe_contact::pair::{Adjust, Bond, Discretization, PairDefinition};
 use fe_contact::surface::{Main, Secondary};
 use fe_mesh::{CellKind, Face};
 
@@ -23,6 +23,7 @@ pub fn read(
     diagnostics: &mut Diagnostics,
 ) {
     let interaction = interaction(entry, interactions, diagnostics);
+    let bond = bond(entry, diagnostics);
     let mut lines = scene.deck.lines(entry.card).peekable();
     if lines.peek().is_none() {
         let fault = Diagnostic::error(entry.card.span, "this card names no surfaces");
@@ -57,6 +58,7 @@ pub fn read(
             interaction,
             discretization,
             small_sliding,
+            bond,
             adjust,
             clearance: None,
         };
@@ -73,6 +75,16 @@ fn interaction(entry: &Entry<'_>, interactions: &Interactions, diagnostics: &mut
         diagnostics.push(fault.known(&name, interactions.names()).help("say `*SURFACE INTERACTION, NAME=…`"));
     }
     found
+}
+
+fn bond(entry: &Entry<'_>, diagnostics: &mut Diagnostics) -> Bond {
+    let Some(tied) = entry.parameter("TIED") else { return Bond::Contact };
+    if !entry.has("ADJUST") {
+        let fault = Diagnostic::error(tied.span, "`TIED` of `*CONTACT PAIR` needs `ADJUST`");
+        diagnostics
+            .push(fault.help("say which nodes are moved onto the main surface and tied: a distance, or a node set"));
+    }
+    Bond::Tied
 }
 
 /// A surface by name; a missing one is told.

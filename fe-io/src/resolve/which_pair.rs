@@ -6,7 +6,7 @@ use crate::deck::card::Token;
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::keyword::check::Entry;
 use crate::model::Place;
-use fe_contact::pair::PairDefinition;
+use fe_contact::pair::{Bond, PairDefinition};
 
 /// The pair of `MAIN=` and `SECONDARY=`, an index into the model's pairs.
 pub fn of_parameters(
@@ -41,6 +41,17 @@ pub fn of_elements(
         diagnostics.push(fault.known("", named.elements.iter().copied()));
     }
     found.map(|at| named.pairs.len() + at)
+}
+
+/// Says that a card is not for a tied pair; true where it is one.
+pub fn is_tied(entry: &Entry<'_>, (pair, place): &(PairDefinition, Place), diagnostics: &mut Diagnostics) -> bool {
+    let tied = pair.bond == Bond::Tied;
+    if tied {
+        let title = format!("`*{}` is not for tied pairs: they neither part nor slide", entry.keyword.name);
+        let fault = Diagnostic::error(entry.card.span, title);
+        diagnostics.push(fault.help(format!("`TIED` stands on the `*CONTACT PAIR` of {}:{}", place.file, place.line)));
+    }
+    tied
 }
 
 /// The pair of two surfaces; a missing one is told, unless faults of the pairs explain it.
