@@ -61,7 +61,8 @@ fn A31_receding_layer() {
 
 /// In one increment from all closed: whatever the force is, the layer lifts off at the same place, with the same
 /// pressures over the force, as far as the residual tells: 1e-8 of the force on a node that stands for 1/16, and three
-/// times that in the pressures, as hats overlap.
+/// times that in the pressures, as hats overlap; and as far as gaps are known, 4ε of the model's size of 13, which a default
+/// penalty 10 M/h, M = 1346, turns into pressures.
 #[test]
 fn A31_receding_layer_under_any_force() {
     let usual = pressures(&solve(16, 1.0, "SURFACE TO SURFACE"), 1.0);
@@ -71,7 +72,8 @@ fn A31_receding_layer_under_any_force() {
         let found = pressures(&solution, force);
         assert!(open(&found) > 0 && open(&found) == open(&usual), "{force}");
         for ((_, p), (x, q)) in found.iter().zip(&usual) {
-            assert!((p - q).abs() < 4.8e-7, "{force} at {x}: {p} {q}");
+            let rounding = 4.0 * f64::EPSILON * 13.0 * 10.0 * 1346.0 * 16.0 / force;
+            assert!((p - q).abs() < 4.8e-7 + rounding, "{force} at {x}: {p} {q}");
         }
     }
 }
