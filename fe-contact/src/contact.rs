@@ -125,7 +125,7 @@ impl Contact {
     pub fn force(&self, u: &[f64], history: &[f64]) -> Vec<(usize, f64)> {
         let of_point = |i: usize| {
             let (here, p) = (self.at(i, u), &self.points[i]);
-            let (answer, _) = self.answer(i, here.gap, history, self.is_held(i, history));
+            let answer = self.answer(i, here.gap, (history, history));
             let (shear, _) = self.shear_and_slip(i, history);
             let slide = p.slide_from(u, &self.places[i]).filter(|_| shear != [0.0; 2]);
             let mut forces = Vec::new();
@@ -133,15 +133,10 @@ impl Contact {
                 let freedoms = self.places[i].iter().cloned().flatten();
                 forces.extend(row.iter().zip(freedoms).map(|(d, f)| (f, force * p.measure.value() * d)));
             };
-            add(&here.row, answer.pressure + self.damped(i, history));
+            add(&here.row, answer.response.pressure + self.damped(i, history));
             slide.iter().flat_map(|slide| slide.rows.iter().zip(shear)).for_each(|(row, shear)| add(row, -shear));
             forces
         };
         (0..self.points.len()).flat_map(of_point).filter(|(_, force)| *force != 0.0).collect()
-    }
-
-    /// Largest number of freedoms that one point couples.
-    pub fn widest(&self) -> usize {
-        self.points.iter().map(|p| p.row.len()).max().unwrap_or(0)
     }
 }

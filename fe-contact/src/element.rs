@@ -4,7 +4,7 @@ use crate::build::Found;
 use crate::carry::Ground;
 use crate::contact::Contact;
 use crate::facet::Vec3;
-use crate::interaction::Interaction;
+use crate::interaction::{Interaction, NormalBehavior};
 use crate::point::{ContactPoint, Measure, Round};
 use crate::share::{Row, Share};
 use crate::sides::Prepared;
@@ -117,6 +117,14 @@ impl Offset {
     }
 }
 
+/// Each element with what it is, or the first one that is not.
+pub(crate) fn each<T>(
+    cells: &[CellId],
+    of: impl Fn(CellId) -> Result<T, ElementFault>,
+) -> Result<Vec<(CellId, T)>, (CellId, ElementFault)> {
+    cells.iter().map(|&cell| of(cell).map(|found| (cell, found)).map_err(|fault| (cell, fault))).collect()
+}
+
 /// Contact elements of one set with their points.
 pub(crate) struct Elements {
     /// Name of the set.
@@ -142,8 +150,13 @@ impl Contact {
         elements.points.sort_by_key(|(cell, point)| (point.node, *cell));
         let secondary_nodes: BTreeSet<u32> = elements.points.iter().map(|(_, point)| point.node).collect();
         let (cells, points): (Vec<CellId>, Vec<ContactPoint>) = elements.points.into_iter().unzip();
-        let said = (elements.name.as_str(), &mut elements.notes);
-        let beneath = Some(stiffness::at_points_or_chosen(bodies, &points, said));
+        let beneath = match interaction.normal {
+            NormalBehavior::Hard(_) => {
+                let said = (elements.name.as_str(), &mut elements.notes);
+                Some(stiffness::at_points_or_chosen(bodies, &points, said))
+            }
+            NormalBehavior::Softened(_) => stiffness::at_points(bodies, &points),
+        };
         let sides = Prepared {
             secondary_nodes: secondary_nodes.into_iter().collect(),
             main_nodes: elements.main_nodes.into_iter().collect(),

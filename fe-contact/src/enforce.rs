@@ -60,34 +60,37 @@ impl Multipliers {
     }
 }
 
+/// A law's answer at a point.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Answer {
+    /// Energy, pressure and stiffness.
+    pub response: NormalResponse,
+    /// Open or closed.
+    pub status: ContactStatus,
+    /// It stands at the kink of the law.
+    pub touches: bool,
+    /// Stiffness [F/L³] of the law itself, without what a touching point is lent.
+    pub own_slope: f64,
+}
+
 impl Contact {
-    /// The law's answer of a point at a gap [L], with the pair's history at hand; `held` says that it may pull.
-    pub(crate) fn answer(
-        &self,
-        point: usize,
-        gap: f64,
-        history: &[f64],
-        held: bool,
-    ) -> (NormalResponse, ContactStatus) {
+    /// The law's answer of a point at a gap [L], with the contact's history at hand: that of the increment's start, which
+    /// tells whether the point may pull, and the present one.
+    pub(crate) fn answer(&self, point: usize, gap: f64, (old, new): (&[f64], &[f64])) -> Answer {
         let (law, shift) = match self.law_of_stuck(point) {
             Some(law) => (law, 0.0),
-            None => (&*self.law, self.shift(point, history)),
+            None => (&*self.law, self.shift(point, new)),
         };
-        let gap = gap + self.allowed(point, history);
-        let (mut answer, mut status) = self.respond_by(law, gap - shift);
-        if held && status == ContactStatus::Open {
-            (answer, status) = (mirrored(law, gap - shift), ContactStatus::Closed);
+        let gap = gap + self.allowed(point, new) - shift;
+        let mut answer = self.respond(law, gap);
+        if answer.status == ContactStatus::Open && self.is_held(point, old) {
+            (answer.response, answer.status) = (mirrored(law, gap), ContactStatus::Closed);
         }
         if shift != 0.0 {
             // What the multiplier itself has stored is no energy of the contact.
-            answer.energy -= self.multipliers.map_or(0.0, |m| 0.5 * m.slope * shift * shift);
+            answer.response.energy -= self.multipliers.map_or(0.0, |m| 0.5 * m.slope * shift * shift);
         }
-        (answer, status)
-    }
-
-    /// Slope of the law itself, without what a touching point is lent.
-    pub(crate) fn own_slope(&self, point: usize, gap: f64, history: &[f64]) -> f64 {
-        self.law.respond(gap + self.allowed(point, history) - self.shift(point, history)).stiffness
+        answer
     }
 
     /// λ/K [L] of a point.
@@ -122,30 +125,46 @@ impl Contact {
         let multipliers = self.multipliers?;
         let slope = multipliers.slope;
         let pressures: Vec<f64> = (0..self.points.len())
-            .map(|i| self.answer(i, self.opening(i, at.u), new, self.is_held(i, old)).0.pressure)
+            .map(|i| self.answer(i, self.opening(i, at.u), (old, new)).response.pressure)
             .collect();
         let is_stuck = |i: usize| self.law_of_stuck(i).is_some();
         let found = |(i, _): &(usize, &f64)| !is_stuck(*i);
         let largest = pressures.iter().enumerate().filter(found).fold(0.0, |m: f64, p| m.max(p.1.abs()));
-        let limit = multipliers.limit(largest, at.passes).max(self.round_off());
-        let mut worst: Option<Overlap> = None;
-        for (i, pressure) in pressures.iter().enumerate() {
-            if is_stuck(i) {
-                // Where a later step lets go of it, it goes on from here.
-                new[self.points.len() + i] = pressure / slope;
-                continue;
-            }
+        let stuck = pressures.iter().enumerate().filter(|(i, _)| is_stuck(*i));
+        let excesses = pressures.iter().enumerate().filter(found).map(|(i, pressure)| {
             // How far the gap of a point that presses, or is held, is from where it belongs.
             let excess = if *pressure == 0.0 { 0.0 } else { pressure / slope - self.shift(i, new) };
-            let off = if multipliers.allowed.is_some() { excess } else { excess.abs() };
-            let limit = limit.max(at.noise / (slope * self.points[i].measure.value()));
-            if off > limit && worst.is_none_or(|w| off > w.overclosure.abs()) {
-                worst = Some(Overlap { node: self.points[i].node as usize, overclosure: excess });
-            }
+            (i, if multipliers.allowed.is_some() { excess.max(0.0) } else { excess })
+        });
+        let worst = self.worst(&multipliers, at, largest, excesses);
+        let points = self.points.len();
+        let mut take = |(i, pressure): (usize, &f64)| new[points + i] = pressure / slope;
+        match worst {
+            Some(_) => pressures.iter().enumerate().for_each(take),
+            // Where a later step lets go of those, they go on from here.
+            None => stuck.for_each(&mut take),
         }
-        if worst.is_some() {
-            let points = self.points.len();
-            pressures.iter().enumerate().for_each(|(i, pressure)| new[points + i] = pressure / slope);
+        worst
+    }
+
+    /// The point that is furthest off, of several that may be off by so much [L] each; none where rounding, or what is not
+    /// balanced, explains all. `largest` is the largest pressure or shear.
+    pub(crate) fn worst(
+        &self,
+        multipliers: &Multipliers,
+        at: Equilibrium,
+        largest: f64,
+        off: impl Iterator<Item = (usize, f64)>,
+    ) -> Option<Overlap> {
+        let limit = multipliers.limit(largest, at.passes).max(self.round_off());
+        let mut worst: Option<Overlap> = None;
+        for (i, overclosure) in off {
+            let point = &self.points[i];
+            let limit = limit.max(at.noise / (multipliers.slope * point.measure.value()));
+            let off = overclosure.abs();
+            if off > limit && worst.is_none_or(|w| off > w.overclosure.abs()) {
+                worst = Some(Overlap { node: point.node as usize, overclosure });
+            }
         }
         worst
     }

@@ -119,7 +119,7 @@ impl RigidContact {
     /// Where `forces` drive the bodies that touch so: along what closes no touching point and, with friction, makes none
     /// slip that is pressed, or that no motion opens or closes.
     fn direction(&self, forces: &DVector<f64>, touching: &[usize]) -> DVector<f64> {
-        let (direction, pressed) = self.open_direction(forces, touching);
+        let (direction, pressed) = open_direction(&self.rates, forces, touching);
         let idle = |i: &usize| self.rates.row(*i).amax() <= ROUND_OFF;
         let held = pressed.iter().map(|p| p.0).chain(touching.iter().copied().filter(idle));
         let rows: Vec<DVector<f64>> = held.flat_map(|i| self.slips[i].iter().cloned()).collect();
@@ -142,52 +142,55 @@ impl RigidContact {
             let free = without(row.transpose());
             row.copy_from(&free.transpose());
         }
-        let left = RigidContact { rates, gaps: self.gaps.clone(), touch: self.touch.clone(), slips: Vec::new() };
         let free = without(forces.clone());
-        let direction = left.open_direction(&free, touching).0;
+        let direction = open_direction(&rates, &free, touching).0;
         // What is left of a force that friction balances is rounding.
         if direction.norm() <= ROUND_OFF * forces.norm() { DVector::zeros(forces.len()) } else { direction }
     }
+}
 
-    /// The vector nearest to `forces` that closes no touching point: f + Rᵀλ with the λ ≥ 0 that make it shortest
-    /// (Lawson and Hanson, Solving Least Squares Problems, 1974, chapter 23), and these λ.
-    fn open_direction(&self, forces: &DVector<f64>, touching: &[usize]) -> (DVector<f64>, Vec<(usize, f64)>) {
-        let mut pressed: Vec<(usize, f64)> = Vec::new();
-        let mut direction = forces.clone();
-        for _ in 0..3 * (touching.len() + 1) {
-            let closing = |&i: &usize| self.rates.row(i).transpose().dot(&direction);
-            let worst = touching.iter().map(|i| (closing(i), *i)).min_by(|a, b| a.0.total_cmp(&b.0));
-            match worst {
-                Some((rate, point)) if rate < -ROUND_OFF * forces.norm() => pressed.push((point, 0.0)),
-                _ => break,
-            }
-            self.balance(forces, &mut pressed);
-            direction = forces.clone();
-            pressed.iter().for_each(|&(i, force)| direction += self.rates.row(i).transpose() * force);
+/// The vector nearest to `forces` that closes no touching point: f + Rᵀλ with the λ ≥ 0 that make it shortest
+/// (Lawson and Hanson, Solving Least Squares Problems, 1974, chapter 23), and these λ.
+fn open_direction(
+    rates: &DMatrix<f64>,
+    forces: &DVector<f64>,
+    touching: &[usize],
+) -> (DVector<f64>, Vec<(usize, f64)>) {
+    let mut pressed: Vec<(usize, f64)> = Vec::new();
+    let mut direction = forces.clone();
+    for _ in 0..3 * (touching.len() + 1) {
+        let closing = |&i: &usize| rates.row(i).transpose().dot(&direction);
+        let worst = touching.iter().map(|i| (closing(i), *i)).min_by(|a, b| a.0.total_cmp(&b.0));
+        match worst {
+            Some((rate, point)) if rate < -ROUND_OFF * forces.norm() => pressed.push((point, 0.0)),
+            _ => break,
         }
-        (direction, pressed)
+        balance(rates, forces, &mut pressed);
+        direction = forces.clone();
+        pressed.iter().for_each(|&(i, force)| direction += rates.row(i).transpose() * force);
     }
+    (direction, pressed)
+}
 
-    /// The forces of pressed points that leave least of `forces`; points that would pull are let go.
-    fn balance(&self, forces: &DVector<f64>, pressed: &mut Vec<(usize, f64)>) {
-        while !pressed.is_empty() {
-            let columns: Vec<_> = pressed.iter().map(|p| self.rates.row(p.0).transpose()).collect();
-            let svd = DMatrix::from_columns(&columns).svd(true, true);
-            let Ok(wanted) = svd.solve(&-forces, ROUND_OFF * svd.singular_values.max()) else { return };
-            // As far towards what is wanted as every force stays a pressure.
-            let stops = pressed
-                .iter()
-                .zip(&wanted)
-                .filter(|(_, w)| **w <= 0.0)
-                .map(|(p, w)| p.1 / (p.1 - w).max(f64::MIN_POSITIVE));
-            let share = stops.fold(1.0, f64::min);
-            pressed.iter_mut().zip(&wanted).for_each(|(p, w)| p.1 += share * (w - p.1));
-            let before = pressed.len();
-            let largest = pressed.iter().fold(0.0f64, |m, p| m.max(p.1));
-            pressed.retain(|p| p.1 > f64::EPSILON * largest);
-            if pressed.len() == before {
-                return;
-            }
+/// The forces of pressed points that leave least of `forces`; points that would pull are let go.
+fn balance(rates: &DMatrix<f64>, forces: &DVector<f64>, pressed: &mut Vec<(usize, f64)>) {
+    while !pressed.is_empty() {
+        let columns: Vec<_> = pressed.iter().map(|p| rates.row(p.0).transpose()).collect();
+        let svd = DMatrix::from_columns(&columns).svd(true, true);
+        let Ok(wanted) = svd.solve(&-forces, ROUND_OFF * svd.singular_values.max()) else { return };
+        // As far towards what is wanted as every force stays a pressure.
+        let stops = pressed
+            .iter()
+            .zip(&wanted)
+            .filter(|(_, w)| **w <= 0.0)
+            .map(|(p, w)| p.1 / (p.1 - w).max(f64::MIN_POSITIVE));
+        let share = stops.fold(1.0, f64::min);
+        pressed.iter_mut().zip(&wanted).for_each(|(p, w)| p.1 += share * (w - p.1));
+        let before = pressed.len();
+        let largest = pressed.iter().fold(0.0f64, |m, p| m.max(p.1));
+        pressed.retain(|p| p.1 > f64::EPSILON * largest);
+        if pressed.len() == before {
+            return;
         }
     }
 }

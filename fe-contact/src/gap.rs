@@ -5,7 +5,7 @@
 //! Analysis User's Manual, Gap contact elements.
 
 use crate::contact::Contact;
-use crate::element::{ElementFault, Elements, Offset};
+use crate::element::{ElementFault, Elements, Offset, each};
 use crate::facet::Vec3;
 use crate::interaction::Interaction;
 use crate::point::{ContactPoint, Measure};
@@ -40,7 +40,7 @@ pub struct GapDefinition {
 impl GapDefinition {
     /// The points of all elements, or the first element that stands for none.
     fn points(&self, bodies: (&Structure, &Freedoms)) -> Result<Vec<(CellId, ContactPoint)>, (CellId, ElementFault)> {
-        self.cells.iter().map(|&cell| self.point(cell, bodies).map(|p| (cell, p)).map_err(|f| (cell, f))).collect()
+        each(&self.cells, |cell| self.point(cell, bodies))
     }
 
     /// The first element that stands for no constraint.

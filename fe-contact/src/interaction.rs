@@ -23,7 +23,8 @@ pub enum Enforcement {
     Usual,
     /// By multipliers: no overclosure but that of rounding.
     Direct,
-    /// By a penalty, and multipliers until the overclosure is at most a thousandth of the facets' length.
+    /// By a penalty, and multipliers until the overclosure is at most a thousandth of the facets' length, a twentieth where
+    /// surfaces may slide far; more where the penalty is scaled down.
     AugmentedLagrange(Penalty),
     /// By a penalty alone.
     Penalty(Penalty),

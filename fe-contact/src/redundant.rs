@@ -32,10 +32,10 @@ pub fn redundant(contacts: &[Contact], u: &[f64], fixed: &[bool]) -> Vec<Redunda
     for (k, contact) in contacts.iter().enumerate().filter(|(_, contact)| shares(contact)) {
         let elsewhere = |n: &u32| secondary.get(n).is_some_and(|of| of.iter().any(|&other| other != k));
         for (i, point) in contact.points.iter().enumerate() {
-            let here = contact.at(i, u);
             if contact.opening_at_start(i, u) > contact.law.reach() + contact.touch {
                 continue;
             }
+            let here = contact.at(i, u);
             let freedoms = contact.places[i].iter().cloned().flatten();
             let row: Vec<(usize, f64)> = freedoms.zip(here.row.iter().copied()).filter(|d| d.1 != 0.0).collect();
             let suspect = row.iter().any(|d| fixed[d.0]) || point.nodes.iter().any(elsewhere);
@@ -65,10 +65,8 @@ pub fn contradiction(contacts: &[Contact], u: &[f64], fixed: &[bool]) -> Option<
     for (k, contact) in contacts.iter().enumerate().filter(|(_, contact)| hard(contact)) {
         let reach = contact.law.reach();
         for (i, point) in contact.points.iter().enumerate() {
-            let here = contact.at(i, u);
             let overclosure = reach - contact.opening_at_start(i, u);
-            let mut freedoms = contact.places[i].iter().cloned().flatten().zip(here.row.iter());
-            let contradicts = overclosure > contact.touch && freedoms.all(|(f, d)| fixed[f] || *d == 0.0);
+            let contradicts = overclosure > contact.touch && !point.moves_with(&contact.places[i], |f| !fixed[f]);
             if contradicts && deepest.is_none_or(|d| overclosure > d.overclosure) {
                 deepest = Some(Contradiction { contact: k, node: point.node, overclosure });
             }

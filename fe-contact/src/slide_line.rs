@@ -38,7 +38,7 @@ pub struct Foot {
 
 /// Nodes with their weights, polynomials Σ cₖ sᵏ.
 #[derive(Clone, Debug)]
-struct Curve {
+pub(crate) struct Curve {
     weights: Vec<(u32, [f64; 4])>,
     from: f64,
     to: f64,
@@ -127,7 +127,8 @@ impl SlideLine {
         self.nodes.windows(2).find(same).map(|pair| (pair[0], pair[1]))
     }
 
-    fn curves(&self) -> Vec<Curve> {
+    /// Its pieces, one after another.
+    pub(crate) fn curves(&self) -> Vec<Curve> {
         let mut segments: Vec<Curve> = match self.segments {
             Segments::Linear => self.nodes.windows(2).map(|n| Curve::straight(n[0], n[1])).collect(),
             Segments::Parabolic => {
@@ -136,47 +137,19 @@ impl SlideLine {
             }
         };
         let f = self.smooth;
-        let fillets: Vec<Curve> = segments.windows(2).map(|pair| Curve::fillet(&pair[0], &pair[1], f)).collect();
+        // A fillet follows from whole segments.
+        let fillets: Vec<Curve> = if f == 0.0 {
+            Vec::new()
+        } else {
+            segments.windows(2).map(|pair| Curve::fillet(&pair[0], &pair[1], f)).collect()
+        };
         let last = segments.len().saturating_sub(1);
         for (k, segment) in segments.iter_mut().enumerate() {
             segment.from = if k == 0 { -self.extension } else { f };
             segment.to = if k == last { 1.0 + self.extension } else { 1.0 - f };
         }
-        if f == 0.0 {
-            return segments;
-        }
         let mut fillets = fillets.into_iter();
         segments.into_iter().flat_map(|segment| std::iter::once(segment).chain(fillets.next())).collect()
-    }
-
-    /// The point nearest to a node at the reference geometry; `None` where that lies past an end of the line.
-    pub fn nearest(&self, structure: &Structure, node: u32) -> Option<Foot> {
-        let place = |n: u32| Vec3::from(structure.mesh.points[n as usize]);
-        let x = place(node);
-        let apart = |n: u32| place(n) - x;
-        let curves = self.curves();
-        let all =
-            curves.iter().enumerate().flat_map(|(k, curve)| curve.nearest(&apart).into_iter().map(move |s| (k, s)));
-        let distance = |&(k, s): &(usize, f64)| curves[k].at(s, &apart).0.norm();
-        let (k, s) = all.min_by(|a, b| distance(a).total_cmp(&distance(b)))?;
-        let curve = &curves[k];
-        let (offset, slope) = curve.at(s, &apart);
-        let rise = offset.dot(&slope) / slope.norm_squared();
-        let past_start = k == 0 && s == curve.from && rise > AT_END;
-        let past_end = k + 1 == curves.len() && s == curve.to && rise < -AT_END;
-        if past_start || past_end {
-            return None;
-        }
-        // At a corner the mean of both sides.
-        let unit = |k: usize, s: f64| curves[k].at(s, &apart).1.normalize();
-        let mut tangent = unit(k, s);
-        if s == curve.to && k + 1 < curves.len() {
-            tangent += unit(k + 1, curves[k + 1].from);
-        } else if s == curve.from && k > 0 {
-            tangent += unit(k - 1, curves[k - 1].to);
-        }
-        let weights = curve.weights.iter().map(|(node, c)| (*node, polynomial(c, s)));
-        Some(Foot { weights: weights.filter(|w| w.1 != 0.0).collect(), tangent: tangent.normalize().into() })
     }
 
     /// Mean length [L] from node to node.
@@ -185,6 +158,34 @@ impl SlideLine {
         let lengths = self.nodes.windows(2).map(|n| (place(n[1]) - place(n[0])).norm());
         lengths.sum::<f64>() / self.nodes.len().saturating_sub(1).max(1) as f64
     }
+}
+
+/// The point of a line's curves nearest to a node at the reference geometry; `None` where that lies past an end of the line.
+pub(crate) fn nearest(curves: &[Curve], structure: &Structure, node: u32) -> Option<Foot> {
+    let place = |n: u32| Vec3::from(structure.mesh.points[n as usize]);
+    let x = place(node);
+    let apart = |n: u32| place(n) - x;
+    let all = curves.iter().enumerate().flat_map(|(k, curve)| curve.nearest(&apart).into_iter().map(move |s| (k, s)));
+    let distance = |&(k, s): &(usize, f64)| curves[k].at(s, &apart).0.norm();
+    let (k, s) = all.min_by(|a, b| distance(a).total_cmp(&distance(b)))?;
+    let curve = &curves[k];
+    let (offset, slope) = curve.at(s, &apart);
+    let rise = offset.dot(&slope) / slope.norm_squared();
+    let past_start = k == 0 && s == curve.from && rise > AT_END;
+    let past_end = k + 1 == curves.len() && s == curve.to && rise < -AT_END;
+    if past_start || past_end {
+        return None;
+    }
+    // At a corner the mean of both sides.
+    let unit = |k: usize, s: f64| curves[k].at(s, &apart).1.normalize();
+    let mut tangent = unit(k, s);
+    if s == curve.to && k + 1 < curves.len() {
+        tangent += unit(k + 1, curves[k + 1].from);
+    } else if s == curve.from && k > 0 {
+        tangent += unit(k - 1, curves[k - 1].to);
+    }
+    let weights = curve.weights.iter().map(|(node, c)| (*node, polynomial(c, s)));
+    Some(Foot { weights: weights.filter(|w| w.1 != 0.0).collect(), tangent: tangent.normalize().into() })
 }
 
 fn polynomial(c: &[f64; 4], s: f64) -> f64 {
@@ -209,7 +210,7 @@ mod tests {
 
     fn foot(places: &[[f64; 3]], segments: Segments, smooth: f64) -> Option<(Vec3, Vec3)> {
         let (structure, line, node) = line(places, segments, smooth);
-        let foot = line.nearest(&structure, node)?;
+        let foot = nearest(&line.curves(), &structure, node)?;
         assert!((foot.weights.iter().map(|w| w.1).sum::<f64>() - 1.0).abs() < 1e-14);
         let place = |n: u32| Vec3::from(structure.mesh.points[n as usize]);
         Some((foot.weights.iter().map(|&(n, w)| place(n) * w).sum(), foot.tangent.into()))

@@ -4,9 +4,9 @@
 //! the slip, so that the law sees λ/K + Δγ on springs K, and takes (τ − λ)/K for what the slip is off by.
 
 use crate::contact::Contact;
-use crate::enforce::Multipliers;
+use crate::enforce::{Answer, Multipliers, OPEN, SLIPPING};
 use crate::friction::{Coulomb, Shear, Sliding};
-use crate::point::{ContactStatus, Slide};
+use crate::point::{ContactPoint, ContactStatus, Slide};
 use fe_core::Motion;
 use fe_core::term::{Equilibrium, Overlap};
 use std::borrow::Cow;
@@ -96,26 +96,27 @@ impl Contact {
     /// Elastic slip that a point starts the increment with, or what multipliers have made of it.
     fn anchor(&self, point: usize, old: &[f64], new: &[f64]) -> [f64; 2] {
         let own = self.own(point);
-        let exact = self.tangential.as_ref().is_some_and(|t| t.multipliers.is_some());
+        let exact = self.sticks_exactly();
         let shifted = |i: usize| if exact { new[own + SHIFT + i] - old[own + SHIFT + i] } else { 0.0 };
         [0, 1].map(|i| old[own + ELASTIC + i] + shifted(i))
     }
 
-    /// What acts along the surface at a point that is pressed, or touches.
+    /// What acts along the surface at a point that is pressed, or touches, where the law answers so.
     pub(crate) fn along(
         &self,
         point: usize,
         at: &Motion,
-        (pressure, touches): (f64, bool),
+        normal: &Answer,
         (old, new): (&[f64], &[f64]),
     ) -> Option<Along<'_>> {
-        let tangential = self.tangential.as_ref()?;
+        let tangential = self.tangential.as_ref().filter(|_| normal.status != ContactStatus::Open)?;
+        let pressure = normal.response.pressure;
         let places: &[Range<usize>] = &self.places[point];
         let slide = self.points[point].slide_at((at.u, at.du), places)?;
         let slip = slide.slip(at.du, places);
         let elastic = self.anchor(point, old, new);
         let mut answer = tangential.law.respond(Sliding { pressure, elastic, slip, dt: at.dt });
-        if touches {
+        if normal.touches {
             // As the pressure does: a body that just touches is held.
             let typical = self.law.typical_stiffness();
             for i in 0..2 {
@@ -164,14 +165,14 @@ impl Contact {
     /// Work [F L] that friction took in an increment: Σ A τ · (Δγ − Δγ_elastic), never negative.
     pub(crate) fn rubbed(&self, old: &[f64], new: &[f64]) -> f64 {
         let Some(tangential) = &self.tangential else { return 0.0 };
-        let each = |(i, p): (usize, &crate::point::ContactPoint)| {
+        let each = |(i, p): (usize, &ContactPoint)| {
             let own = self.own(i);
             let shear = pair(new, own + SHEAR);
             let change = |at: usize, c: usize| new[own + at + c] - old[own + at + c];
             let elastic = |c: usize| if tangential.multipliers.is_none() { change(ELASTIC, c) } else { 0.0 };
             let work: f64 = (0..2).map(|c| shear[c] * (change(SLIP, c) - elastic(c))).sum();
             // A point that sticks loses nothing, but for rounding.
-            if new[i] == crate::enforce::SLIPPING { work.max(0.0) * p.measure.value() } else { 0.0 }
+            if new[i] == SLIPPING { work.max(0.0) * p.measure.value() } else { 0.0 }
         };
         self.points.iter().enumerate().map(each).sum()
     }
@@ -179,7 +180,7 @@ impl Contact {
     /// Takes the shears as multipliers; see [`Contact::take_multipliers`].
     pub(crate) fn take_shears(&self, at: Equilibrium, old: &[f64], new: &mut [f64]) -> Option<Overlap> {
         let multipliers = self.tangential.as_ref()?.multipliers?;
-        let closed = |&i: &usize| new[i] != crate::enforce::OPEN;
+        let closed = |&i: &usize| new[i] != OPEN;
         let off = |i: usize| {
             let (elastic, anchor) = (pair(new, self.own(i) + ELASTIC), self.anchor(i, old, new));
             [0, 1].map(|c| elastic[c] - anchor[c])
@@ -187,16 +188,7 @@ impl Contact {
         let excesses: Vec<(usize, [f64; 2])> = (0..self.points.len()).filter(closed).map(|i| (i, off(i))).collect();
         let size = |v: [f64; 2]| v[0].hypot(v[1]);
         let largest = excesses.iter().map(|e| size(pair(new, self.own(e.0) + SHEAR))).fold(0.0, f64::max);
-        let limit = multipliers.limit(largest, at.passes).max(self.round_off());
-        let mut worst: Option<Overlap> = None;
-        for &(i, off) in &excesses {
-            let point = &self.points[i];
-            let off = size(off);
-            let limit = limit.max(at.noise / (multipliers.slope * point.measure.value()));
-            if off > limit && worst.is_none_or(|w| off > w.overclosure) {
-                worst = Some(Overlap { node: point.node as usize, overclosure: off });
-            }
-        }
+        let worst = self.worst(&multipliers, at, largest, excesses.iter().map(|&(i, off)| (i, size(off))));
         if worst.is_some() {
             for (i, off) in excesses {
                 let shift = self.own(i) + SHIFT;
@@ -208,8 +200,7 @@ impl Contact {
 
     /// Twice the energy [F/L] that sticking stores; multipliers store none.
     pub(crate) fn stored(&self, shear: [f64; 2], elastic: [f64; 2]) -> f64 {
-        let exact = self.tangential.as_ref().is_some_and(|t| t.multipliers.is_some());
-        if exact { 0.0 } else { shear[0] * elastic[0] + shear[1] * elastic[1] }
+        if self.sticks_exactly() { 0.0 } else { shear[0] * elastic[0] + shear[1] * elastic[1] }
     }
 
     /// A point's status: with friction it sticks or slips while it is closed.

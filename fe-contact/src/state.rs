@@ -1,7 +1,7 @@
 //! What a pair does at a displacement: point by point, in sum, and as nodal forces.
 
 use crate::contact::Contact;
-use crate::enforce::{SLIPPING, Separation};
+use crate::enforce::{Answer, SLIPPING, Separation};
 use crate::facet::Vec3;
 use crate::point::{ContactStatus, Measure};
 use crate::summary::{Means, MeasureKind, Origin};
@@ -130,11 +130,8 @@ impl Contact {
         for (i, p) in self.points.iter().enumerate() {
             let here = self.at(i, u);
             let opening = here.gap + self.allowed(i, history);
-            let (answer, closed) = if self.acts() {
-                self.answer(i, here.gap, history, self.is_held(i, history))
-            } else {
-                Default::default()
-            };
+            let Answer { response: answer, status: closed, .. } =
+                if self.acts() { self.answer(i, here.gap, (history, history)) } else { Answer::default() };
             let (shear, slip) = self.shear_and_slip(i, history);
             let slips = closed != ContactStatus::Open && history[i] == SLIPPING;
             let status = if slips { ContactStatus::Slipping } else { closed };
@@ -244,7 +241,8 @@ impl Contact {
                 let opening = a.opening.zip(b.opening).map(|(a, b)| 0.5 * (a + b));
                 if opening.is_some() {
                     let unlike = a.status != b.status;
-                    let status = if unlike { self.respond(opening.unwrap_or_default()).1 } else { a.status };
+                    let status =
+                        if unlike { self.respond(&*self.law, opening.unwrap_or_default()).status } else { a.status };
                     let pressure = 0.5 * (a.pressure + b.pressure);
                     let mean = |a: [f64; 2], b: [f64; 2]| [0, 1].map(|i| 0.5 * (a[i] + b[i]));
                     let (shear, slip) = (mean(a.shear, b.shear), mean(a.slip, b.slip));

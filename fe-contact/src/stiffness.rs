@@ -57,8 +57,7 @@ pub fn at_points((structure, freedoms): (&Structure, &Freedoms), points: &[Conta
         let softer = [side(false), side(true)].into_iter().flatten().reduce(f64::min)?;
         Some(softer / point.measure.value())
     });
-    let (sum, count) = each.fold((0.0, 0), |(sum, count), k| (sum + k, count + 1));
-    (count > 0).then(|| sum / f64::from(count))
+    mean(each)
 }
 
 /// The same; where no node of theirs has a stiffness, the mean of all nodes of the model, or 1, which is said.
@@ -90,7 +89,12 @@ fn along(stiffness: &Matrix3<f64>, normal: &Vec3) -> f64 {
 fn anywhere((structure, freedoms): (&Structure, &Freedoms)) -> Option<f64> {
     let nodes: Vec<u32> = (0..structure.mesh.points.len() as u32).collect();
     let all = nodal_stiffness(structure, freedoms, &nodes).into_iter().map(|k| k.diagonal().max());
-    let (sum, count) = all.filter(|k| *k > 0.0).fold((0.0, 0), |(sum, count), k| (sum + k, count + 1));
+    mean(all.filter(|k| *k > 0.0))
+}
+
+/// `None` of nothing.
+fn mean(of: impl Iterator<Item = f64>) -> Option<f64> {
+    let (sum, count) = of.fold((0.0, 0), |(sum, count), k| (sum + k, count + 1));
     (count > 0).then(|| sum / f64::from(count))
 }
 

@@ -1,11 +1,11 @@
 //! Contact as a term of the virtual work: δW = −Σ A p(g) δg over its points.
 
 use crate::contact::Contact;
-use crate::enforce::{CLOSED, OPEN, SLIPPING};
-use crate::law::{NormalLaw, NormalResponse};
+use crate::enforce::{Answer, CLOSED, OPEN, SLIPPING};
+use crate::law::NormalLaw;
 use crate::point::{ContactPoint, ContactStatus, Kinematics, dot};
 use crate::slip::Along;
-use fe_core::term::{Equilibrium, Overlap};
+use fe_core::term::{Equilibrium, Lacking, Overlap};
 use fe_core::{Assembly, BlockMatrix, Couplings, Motion, Pattern, Reject, Term};
 use std::ops::Range;
 use std::sync::Arc;
@@ -51,21 +51,17 @@ impl Contact {
         dot(&self.at(point, u).row, field, &self.places[point])
     }
 
-    /// The law's answer. At the kink, within round-off of the model's size, the point touches: it is closed and
+    /// A law's answer. At the kink, within round-off of the model's size, the point touches: it is closed and
     /// has the stiffness of the closed side, or one of that size, so that a body that just touches is held.
-    pub fn respond(&self, gap: f64) -> (NormalResponse, ContactStatus) {
-        self.respond_by(&*self.law, gap)
-    }
-
-    /// The same of another law.
-    pub(crate) fn respond_by(&self, law: &dyn NormalLaw, gap: f64) -> (NormalResponse, ContactStatus) {
+    pub(crate) fn respond(&self, law: &dyn NormalLaw, gap: f64) -> Answer {
         let kink = law.reach();
-        let mut answer = law.respond(gap);
-        if (gap - kink).abs() <= self.touch {
-            answer.stiffness = answer.stiffness.max(law.typical_stiffness());
+        let mut response = law.respond(gap);
+        let (touches, own_slope) = ((gap - kink).abs() <= self.touch, response.stiffness);
+        if touches {
+            response.stiffness = own_slope.max(law.typical_stiffness());
         }
-        let closed = gap <= kink + self.touch;
-        (answer, if closed { ContactStatus::Closed } else { ContactStatus::Open })
+        let status = if gap <= kink + self.touch { ContactStatus::Closed } else { ContactStatus::Open };
+        Answer { response, status, touches, own_slope }
     }
 
     /// True when a point presses at `u`, and goes on to press as much on one side of its gap at least.
@@ -73,22 +69,6 @@ impl Contact {
         let gap = self.opening(point, u);
         let sides = [gap - self.touch, gap + self.touch].map(|g| self.law.respond(g));
         sides.iter().any(|side| side.pressure > 0.0 && side.stiffness <= 0.0)
-    }
-
-    /// What acts along the surface of a point with this gap, pressure and status.
-    fn beside(
-        &self,
-        point: usize,
-        at: &Motion,
-        (here, pressure, status): (&Kinematics, f64, ContactStatus),
-        (old, new): (&[f64], &[f64]),
-    ) -> Option<Along<'_>> {
-        if self.tangential.is_none() || status == ContactStatus::Open {
-            return None;
-        }
-        let touches =
-            (here.gap + self.allowed(point, new) - self.shift(point, new) - self.law.reach()).abs() <= self.touch;
-        self.along(point, at, (pressure, touches), (old, new))
     }
 
     fn blocks(&self, pattern: &Arc<Pattern>) -> Arc<Blocks> {
@@ -163,10 +143,11 @@ impl Term for Contact {
                 let place = format!("the gaps of {}", self.name());
                 return Err(Reject::NotFinite { place, node: Some(p.node as usize) });
             }
-            let (answer, status) = self.answer(i, here.gap, new, self.is_held(i, old));
-            let along = self.beside(i, &at, (&here, answer.pressure, status), (old, new));
+            let answer = self.answer(i, here.gap, (old, new));
+            let along = self.along(i, &at, &answer, (old, new));
+            let Answer { response, status, own_slope, .. } = answer;
             let measure = p.measure.value();
-            out.energy += answer.energy * measure;
+            out.energy += response.energy * measure;
             let now = match Contact::status_of(status, along.as_ref()) {
                 ContactStatus::Open => OPEN,
                 ContactStatus::Closed => CLOSED,
@@ -175,7 +156,7 @@ impl Term for Contact {
             out.status_changes += usize::from(new[i] != now);
             new[i] = now;
             self.keep(i, along.as_ref(), old, new);
-            let force = answer.pressure * measure;
+            let force = response.pressure * measure;
             add(&here.row, -force, &self.places[i], out.residual);
             for (row, shear) in along.iter().flat_map(|a| a.slide.rows.iter().zip(a.answer.shear)) {
                 add(row, shear * measure, &self.places[i], out.residual);
@@ -189,8 +170,8 @@ impl Term for Contact {
                 let turning = here.bending.iter().map(|(factor, row)| (-force * factor, row.as_slice()));
                 // Once the increment has moved, a point that touches and does not press has come off: held back, points
                 // under tiny loads, which open by no more than round-off of the model's size, would never do so.
-                let came_off = moved && answer.pressure == 0.0 && !self.is_held(i, old);
-                let slope = if came_off { self.own_slope(i, here.gap, new) } else { answer.stiffness };
+                let came_off = moved && response.pressure == 0.0 && !self.is_held(i, old);
+                let slope = if came_off { own_slope } else { response.stiffness };
                 let all = std::iter::once((slope * measure, &*here.row)).chain(turning);
                 for part in all.filter(|part| part.0 != 0.0) {
                     self.add_stiffness(i, part, blocks, stiffness);
@@ -204,26 +185,31 @@ impl Term for Contact {
         Ok(())
     }
 
-    fn couple(&self, at: Motion, (old, new): (&[f64], &[f64]), x: &[f64], y: &mut [f64]) -> bool {
+    fn lacking<'s>(&'s self, at: Motion, (old, new): (&[f64], &[f64])) -> Option<Lacking<'s>> {
         if !self.acts() || self.tangential.as_ref().is_none_or(|t| t.law.is_symmetric()) {
-            return false;
+            return None;
         }
-        let mut any = false;
-        for (i, p) in self.points.iter().enumerate() {
-            let (here, places) = (self.at(i, at.u), &self.places[i]);
-            let (answer, status) = self.answer(i, here.gap, new, self.is_held(i, old));
-            let Some(along) = self.beside(i, &at, (&here, answer.pressure, status), (old, new)) else { continue };
-            if !along.has_rest() {
-                continue;
-            }
-            any = true;
-            let pressing = -answer.stiffness * dot(&here.row, x, places);
-            let changes = along.rest(pressing, along.slide.slip(x, places));
-            for (row, change) in along.slide.rows.iter().zip(changes) {
-                add(row, change * p.measure.value(), places, y);
-            }
+        let of_point = |i: usize| {
+            let here = self.at(i, at.u);
+            let answer = self.answer(i, here.gap, (old, new));
+            let along = self.along(i, &at, &answer, (old, new))?;
+            along.has_rest().then_some((i, here.row, answer.response.stiffness, along))
+        };
+        let slipping: Vec<_> = (0..self.points.len()).filter_map(of_point).collect();
+        if slipping.is_empty() {
+            return None;
         }
-        any
+        let product = move |x: &[f64], y: &mut [f64]| {
+            for (i, row, stiffness, along) in &slipping {
+                let (places, measure) = (&self.places[*i], self.points[*i].measure.value());
+                let pressing = -stiffness * dot(row, x, places);
+                let changes = along.rest(pressing, along.slide.slip(x, places));
+                for (row, change) in along.slide.rows.iter().zip(changes) {
+                    add(row, change * measure, places, y);
+                }
+            }
+        };
+        Some(Box::new(product))
     }
 
     fn force_round_off(&self, u: &[f64], history: &[f64]) -> f64 {
@@ -231,8 +217,8 @@ impl Term for Contact {
             return 0.0;
         }
         let of_point = |i: usize| {
-            let (answer, _) = self.answer(i, self.opening(i, u), history, self.is_held(i, history));
-            answer.stiffness * self.points[i].measure.value()
+            let answer = self.answer(i, self.opening(i, u), (history, history));
+            answer.response.stiffness * self.points[i].measure.value()
         };
         // What acts on prescribed freedoms alone need not be balanced.
         let moving = (0..self.points.len()).filter(|&i| self.law_of_stuck(i).is_none());
@@ -251,7 +237,7 @@ impl Term for Contact {
         let mut done = false;
         for (i, p) in self.points.iter().enumerate() {
             let here = self.at(i, u);
-            let (answer, status) = self.respond(here.gap);
+            let Answer { response: answer, status, .. } = self.respond(&*self.law, here.gap);
             if status != ContactStatus::Open && answer.stiffness <= 0.0 {
                 let lacking = self.law.typical_stiffness() - answer.stiffness;
                 self.add_stiffness(i, (lacking * p.measure.value(), &here.row), &blocks, stiffness);
@@ -272,7 +258,7 @@ impl Term for Contact {
 }
 
 /// Adds a force along a row.
-fn add(row: &[f64], force: f64, places: &[Range<usize>], residual: &mut [f64]) {
+pub(crate) fn add(row: &[f64], force: f64, places: &[Range<usize>], residual: &mut [f64]) {
     if force != 0.0 {
         row.iter().zip(places.iter().cloned().flatten()).for_each(|(d, f)| residual[f] += force * d);
     }

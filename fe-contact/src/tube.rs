@@ -4,11 +4,11 @@
 //! c < 0 (side by side, |c| the sum of the outer radii). Abaqus Analysis User's Manual, Tube-to-tube contact elements.
 
 use crate::contact::Contact;
-use crate::element::{ElementFault, Elements, Offset};
+use crate::element::{ElementFault, Elements, Offset, each};
 use crate::facet::Vec3;
 use crate::interaction::Interaction;
 use crate::point::{ContactPoint, Measure};
-use crate::slide_line::SlideLine;
+use crate::slide_line::{Curve, SlideLine, nearest};
 use crate::summary::Origin;
 use crate::tangents::Space;
 use fe_core::element::ElementType;
@@ -43,7 +43,8 @@ type Placed = (CellId, Option<ContactPoint>);
 impl TubeDefinition {
     /// The points of all elements, `None` past the ends of the line, or the first element that stands for none.
     fn points(&self, bodies: (&Structure, &Freedoms)) -> Result<Vec<Placed>, (CellId, ElementFault)> {
-        self.cells.iter().map(|&cell| self.point(cell, bodies).map(|p| (cell, p)).map_err(|f| (cell, f))).collect()
+        let curves = self.line.curves();
+        each(&self.cells, |cell| self.point(cell, &curves, bodies))
     }
 
     /// The first element that stands for no constraint.
@@ -51,14 +52,19 @@ impl TubeDefinition {
         self.points((structure, &structure.freedoms(&[]))).map(|_| ())
     }
 
-    fn point(&self, cell: CellId, bodies: (&Structure, &Freedoms)) -> Result<Option<ContactPoint>, ElementFault> {
+    fn point(
+        &self,
+        cell: CellId,
+        curves: &[Curve],
+        bodies: (&Structure, &Freedoms),
+    ) -> Result<Option<ContactPoint>, ElementFault> {
         let (structure, _) = bodies;
         let node = structure.mesh.cell(cell)[0];
         let (element, kind) = (structure.mesh.cell_label(cell), self.element.name());
         if self.line.nodes.contains(&node) {
             return Err(ElementFault::OnItsLine { element, kind });
         }
-        let Some(foot) = self.line.nearest(structure, node) else { return Ok(None) };
+        let Some(foot) = nearest(curves, structure, node) else { return Ok(None) };
         let tangent = Vec3::from(foot.tangent);
         let offset = Offset { node, carriers: foot.weights, across: Matrix3::identity(), space: Space::Led(tangent) };
         let point = match offset.start(structure) {

@@ -4,9 +4,8 @@
 use crate::contact::Contact;
 use crate::facet::Vec3;
 use crate::point::dot;
-use crate::term::Blocks;
+use crate::term::{Blocks, add};
 use fe_core::{Assembly, Motion};
-use std::ops::Range;
 
 /// `*CONTACT CONTROLS, STABILIZE` of one step: pressure and shear against the velocities of points that are closed or not
 /// far open. Abaqus Analysis User's Manual, Adjusting contact controls.
@@ -263,11 +262,6 @@ impl Contact {
         }
         (-force / measure, taken)
     }
-}
-
-/// Adds a force along a row.
-fn add(row: &[f64], force: f64, places: &[Range<usize>], residual: &mut [f64]) {
-    row.iter().zip(places.iter().cloned().flatten()).for_each(|(d, f)| residual[f] += force * d);
 }
 
 #[cfg(test)]

@@ -50,6 +50,9 @@ pub struct Overlap {
     pub overclosure: f64,
 }
 
+/// Adds C x to y, where (x, y) are its arguments, over all freedoms.
+pub type Lacking<'s> = Box<dyn Fn(&[f64], &mut [f64]) + 's>;
+
 /// One term of the virtual work: a whole block of like elements, all loads of a kind, one contact pair.
 pub trait Term: Send + Sync {
     /// What messages call it.
@@ -85,10 +88,10 @@ pub trait Term: Send + Sync {
         0.0
     }
 
-    /// Adds C x to `y`, C being what the symmetric stiffness of [`Term::evaluate`] lacks of the derivative of the residual at
-    /// this motion and history (old, new); false where it lacks nothing.
-    fn couple(&self, _at: Motion, _history: (&[f64], &[f64]), _x: &[f64], _y: &mut [f64]) -> bool {
-        false
+    /// What the symmetric stiffness of [`Term::evaluate`] lacks of the derivative of the residual at this motion and history
+    /// (old, new), as a product; `None` where it lacks nothing.
+    fn lacking<'s>(&'s self, _at: Motion, _history: (&[f64], &[f64])) -> Option<Lacking<'s>> {
+        None
     }
 
     /// Work [F L] that an increment with this history, at its start and at its end, turned into heat.

@@ -90,11 +90,6 @@ impl Coefficient {
             }
         }
     }
-
-    /// True where μ differs from place to place or from time to time.
-    pub fn varies(&self) -> bool {
-        !matches!(self, Coefficient::Constant(_))
-    }
 }
 
 /// The rows around `x`, how far it is between them [-], and how far they are apart: 0 outside of the list.

@@ -91,13 +91,7 @@ impl Coulomb {
     pub fn respond(&self, at: Sliding) -> Shear {
         let trial: [f64; 2] = std::array::from_fn(|i| at.elastic[i] + at.slip[i]);
         let Some((coefficient, largest)) = &self.limit else {
-            let stiffness = self.stiffness(at.pressure);
-            return Shear {
-                shear: trial.map(|g| stiffness * g),
-                stiffness: diagonal(stiffness),
-                elastic: trial,
-                ..Shear::default()
-            };
+            return sticking(trial, self.stiffness(at.pressure));
         };
         let path = at.slip[0].hypot(at.slip[1]);
         let (critical, by_pressure, by_path) = critical(coefficient, *largest, at, path);
@@ -107,15 +101,12 @@ impl Coulomb {
             Spring::Stiffness(stiffness) => critical / stiffness,
         };
         let slips = size > allowed;
-        // C, its derivative over γ_c, and what the shear is proportional to.
+        if let (false, Spring::Stiffness(stiffness)) = (slips, self.spring) {
+            return sticking(trial, stiffness);
+        }
+        // C.
         let direction = trial.map(|g| if slips { g / size } else { g / allowed });
         let mut answer = Shear { slips, elastic: trial, ..Shear::default() };
-        let fixed = matches!(self.spring, Spring::Stiffness(_)) && !slips;
-        if let (true, Spring::Stiffness(stiffness)) = (fixed, self.spring) {
-            answer.shear = trial.map(|g| stiffness * g);
-            answer.stiffness = diagonal(stiffness);
-            return answer;
-        }
         answer.shear = direction.map(|c| critical * c);
         answer.by_pressure = direction.map(|c| by_pressure * c);
         if slips {
@@ -164,6 +155,12 @@ fn critical(coefficient: &Coefficient, largest: Option<f64>, at: Sliding, path: 
             (full, friction.value + at.pressure * friction.by_pressure, by_path)
         }
     }
+}
+
+/// A point that sticks on a spring.
+fn sticking(elastic: [f64; 2], stiffness: f64) -> Shear {
+    let shear = elastic.map(|g| stiffness * g);
+    Shear { shear, stiffness: diagonal(stiffness), elastic, ..Shear::default() }
 }
 
 fn diagonal(value: f64) -> [[f64; 2]; 2] {

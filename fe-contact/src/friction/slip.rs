@@ -32,12 +32,13 @@ pub fn settle(
         Main::Faces(faces) => Some(faces.as_slice()),
         Main::Rigid { .. } => None,
     });
-    let (length, of) = match (mean_length(structure, secondary), mean_length(structure, main)) {
-        (Some(length), _) => (length, "the mean length of all secondary facets"),
-        (None, Some(length)) => (length, "the mean length of all main facets, as no secondary surface has any"),
-        (None, None) => (1.0, "a length of 1, as no surface has facets"),
+    let of_secondary = mean_length(structure, secondary).map(|l| ("", l, "the mean length of all secondary facets"));
+    let of_main = || {
+        let words = "the mean length of all main facets, as no secondary surface has any";
+        mean_length(structure, main).map(|length| ("warning: ", length, words))
     };
-    let warning = if of.contains(" as ") { "warning: " } else { "" };
+    let (warning, length, of) =
+        of_secondary.or_else(of_main).unwrap_or(("warning: ", 1.0, "a length of 1, as no surface has facets"));
     for interaction in &mut settled {
         if let Some(Friction::Coulomb { stick, .. }) = &mut interaction.friction
             && let Stick::Tolerance(part) = *stick

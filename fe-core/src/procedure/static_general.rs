@@ -10,7 +10,7 @@ use crate::linear::{Cost, LinearSolver};
 use crate::matrix::{BlockMatrix, Pattern};
 use crate::reject::Reject;
 use crate::step::Controls;
-use crate::term::{Equilibrium, Motion, Overlap};
+use crate::term::{Equilibrium, Lacking, Motion, Overlap};
 use std::time::Instant;
 
 /// Residuals of a backward stable solver are a modest multiple of ε |K||u| (Higham, Accuracy and Stability of
@@ -146,13 +146,6 @@ impl<'a> StaticGeneral<'a> {
         Ok(())
     }
 
-    /// What the tangent lacks at `u`, times x, added to y; false where it lacks nothing.
-    fn couple(&self, here: &Here, x: &[f64], y: &mut [f64]) -> bool {
-        let from = here.step.from;
-        let du: Vec<f64> = here.u.iter().zip(&from.u).map(|(a, b)| a - b).collect();
-        self.system.couple(here.step.motion(here.u, &du), (&from.history, here.new), x, y)
-    }
-
     /// Solves K δ = −r on the free freedoms; the prescribed ones move by `given`. Returns δ and the slope δ·r of the
     /// potential along it: 0 where a prescribed motion is carried, which is taken whole.
     fn correction(
@@ -172,10 +165,11 @@ impl<'a> StaticGeneral<'a> {
         if carries {
             tangent.multiply_add(given, &mut right);
         }
-        let coupled = self.couple(here, given, &mut right);
+        let lacking = here.lacking(&self.system);
+        lacking.iter().for_each(|product| product(given, &mut right));
         right.iter_mut().zip(&evaluation.residual).for_each(|(b, r)| *b = -*b - r);
-        if coupled {
-            self.bring_in_couplings(here, &mut right);
+        if !lacking.is_empty() {
+            self.bring_in(&lacking, here.step, &mut right);
         }
         self.solver.solve(&mut right);
         delta.iter_mut().zip(&right).for_each(|(d, x)| *d += x);
@@ -190,15 +184,14 @@ impl<'a> StaticGeneral<'a> {
 
     /// Makes b of (S + C) δ = b into w of S δ = w, where S is what stands factored: w = b + r, (1 + C S⁻¹) r = −C S⁻¹ b. r
     /// lives on the freedoms of contact alone, and so do the directions of the search for it.
-    fn bring_in_couplings(&self, here: &Here, right: &mut [f64]) {
+    fn bring_in(&self, lacking: &[Lacking], step: &Increment, right: &mut [f64]) {
         let changing = &self.system.changing;
         let freedoms = self.system.scene.freedoms;
-        let touched: Vec<usize> =
-            (0..right.len()).filter(|&f| here.step.free[f] && changing[freedoms.node(f)]).collect();
+        let touched: Vec<usize> = (0..right.len()).filter(|&f| step.free[f] && changing[freedoms.node(f)]).collect();
         let product = |mut w: Vec<f64>| -> Vec<f64> {
             self.solver.solve(&mut w);
             let mut y = vec![0.0; w.len()];
-            self.couple(here, &w, &mut y);
+            lacking.iter().for_each(|product| product(&w, &mut y));
             touched.iter().map(|&f| y[f]).collect()
         };
         let begin: Vec<f64> = product(right.to_vec()).iter().map(|v| -v).collect();
@@ -249,7 +242,8 @@ impl<'a> StaticGeneral<'a> {
             let curvature = self.tangent(&now).map_or(0.0, |tangent| {
                 let mut product = vec![0.0; delta.len()];
                 tangent.multiply_add(delta, &mut product);
-                self.couple(&Here { step, u, new: &history }, delta, &mut product);
+                let lacking = Here { step, u, new: &history }.lacking(&self.system);
+                lacking.iter().for_each(|lacks| lacks(delta, &mut product));
                 dot(delta, &product)
             });
             let next = length - here / curvature;
@@ -311,6 +305,15 @@ struct Here<'h> {
     u: &'h [f64],
     /// History that the evaluation there left.
     new: &'h [Vec<f64>],
+}
+
+impl Here<'_> {
+    /// What the tangent lacks.
+    fn lacking<'s>(&self, system: &'s System) -> Vec<Lacking<'s>> {
+        let from = self.step.from;
+        let du: Vec<f64> = self.u.iter().zip(&from.u).map(|(a, b)| a - b).collect();
+        system.lacking(self.step.motion(self.u, &du), (&from.history, self.new))
+    }
 }
 
 /// The fixed part of one increment.

@@ -5,7 +5,7 @@ use crate::freedoms::Freedoms;
 use crate::matrix::{BlockMatrix, Couplings, Pattern};
 use crate::ramp::Ramp;
 use crate::reject::Reject;
-use crate::term::{Assembly, Motion, Term};
+use crate::term::{Assembly, Lacking, Motion, Term};
 use std::ops::Range;
 use std::sync::Arc;
 
@@ -171,13 +171,10 @@ impl<'a> System<'a> {
         Ok(Evaluation { residual, nonlinear, tangent, linear_energy, nonlinear_energy, status_changes })
     }
 
-    /// Adds C x to `y`, C being what the tangent lacks at a motion with its history (old, new); false where it lacks nothing.
-    pub fn couple(&self, at: Motion, (old, new): (&[Vec<f64>], &[Vec<f64>]), x: &[f64], y: &mut [f64]) -> bool {
-        let mut any = false;
-        for (term, (old, new)) in self.scene.terms.iter().zip(old.iter().zip(new)) {
-            any |= term.couple(at, (old, new), x, y);
-        }
-        any
+    /// What the tangent lacks at a motion with its history (old, new), term by term; nothing where it lacks nothing.
+    pub fn lacking(&self, at: Motion, (old, new): (&[Vec<f64>], &[Vec<f64>])) -> Vec<Lacking<'_>> {
+        let terms = self.scene.terms.iter().zip(old.iter().zip(new));
+        terms.filter_map(|(term, (old, new))| term.lacking(at, (old, new))).collect()
     }
 
     /// Lets the terms stiffen a tangent that is singular; true when one did.

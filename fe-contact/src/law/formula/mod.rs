@@ -28,6 +28,10 @@ pub struct Formula {
     /// Overclosures beyond the reach where one branch follows another, ascending.
     kinks: Vec<f64>,
     remarks: Vec<String>,
+    /// See [`NormalLaw::typical_stiffness`].
+    typical: f64,
+    /// See [`NormalLaw::steepest`].
+    steepest: f64,
 }
 
 /// Below this part of the model's size [-] a pressure may be that of rounding.
@@ -42,11 +46,13 @@ impl Formula {
         let (pressure, reach) = (parsed.pressure, parsed.reach);
         let work = Work::new(|x| pressure.at(x - reach).value, size);
         let text = lines.join("; ");
-        let mut law = Formula { text, pressure, reach, size, work, kinks: Vec::new(), remarks: Vec::new() };
+        let (kinks, remarks) = (Vec::new(), Vec::new());
+        let mut law = Formula { text, pressure, reach, size, work, kinks, remarks, typical: 0.0, steepest: 0.0 };
         law.kinks = law.found_kinks();
         let (line, at) = parsed.place;
         law.soundness().map_err(|title| vec![Fault { line: Some(line), at, title, known: None }])?;
         law.remarks = [law.jump(), law.fall()].into_iter().flatten().collect();
+        (law.typical, law.steepest) = (law.mean_slope(), law.largest_slope());
         Ok((law, parsed.unused))
     }
 
@@ -100,6 +106,18 @@ impl Formula {
             "the pressure falls at the overclosure {from:.6e} [L]: there may be several equilibria, or none that Newton's \
              method reaches"
         ))
+    }
+
+    /// The mean slope down to a thousandth of the model's size, or to where there is a pressure.
+    fn mean_slope(&self) -> f64 {
+        let mean = |x: f64| self.at(x).value / x;
+        let depths = std::iter::once(1e-3 * self.size).chain(self.samples());
+        depths.map(mean).find(|slope| *slope > 0.0 && slope.is_finite()).unwrap_or(0.0)
+    }
+
+    /// The largest slope down to the model's size.
+    fn largest_slope(&self) -> f64 {
+        std::iter::once(0.0).chain(self.samples()).fold(0.0, |most, x| self.at(x).slope.max(most))
     }
 
     /// Where one branch follows another: a sign changes between knots, and is halved down to round-off.
@@ -156,16 +174,14 @@ impl NormalLaw for Formula {
         self.kinks.iter().map(|x| self.reach - x).filter(|gap| range.contains(gap)).collect()
     }
 
-    /// The mean slope down to a thousandth of the model's size, or to where there is a pressure.
+    /// Its mean slope down to a thousandth of the model's size, or to where there is a pressure.
     fn typical_stiffness(&self) -> f64 {
-        let mean = |x: f64| self.at(x).value / x;
-        let depths = std::iter::once(1e-3 * self.size).chain(self.samples());
-        depths.map(mean).find(|slope| *slope > 0.0 && slope.is_finite()).unwrap_or(0.0)
+        self.typical
     }
 
-    /// The largest slope down to the model's size.
+    /// Its largest slope down to the model's size.
     fn steepest(&self) -> f64 {
-        std::iter::once(0.0).chain(self.samples()).fold(0.0, |most, x| self.at(x).slope.max(most))
+        self.steepest
     }
 
     fn words(&self, number: MeasureKind) -> String {
