@@ -64,7 +64,7 @@ impl Contact {
         };
         let measure = measures((structure, definition), &sides, interaction, discretization);
         let space = if structure.is_plane() { Space::Plane } else { Space::Solid };
-        let slides = interaction.friction.as_ref().map(|_| space);
+        let slides = interaction.acts_along().then_some(space);
         let points: Vec<ContactPoint> = constraints
             .shares
             .into_iter()
@@ -105,7 +105,7 @@ impl Contact {
         let tangential = interaction.friction.as_ref().map(|friction| carried.friction(friction, ground));
         let Carried { law, bare, penalty, multipliers } = carried;
         let Found { name, surfaces, mut points, cells, reference, origin, searched } = found;
-        if tangential.is_none() {
+        if !interaction.acts_along() {
             points.iter_mut().for_each(|p| p.slide = None);
         }
         let place = |&n: &u32| freedoms.of_node(n as usize);

@@ -101,7 +101,16 @@ pub struct Interaction {
     pub friction: Option<Friction>,
     /// `*CONTACT DAMPING`; `None`: the surfaces move freely.
     pub damping: Option<Damping>,
+    /// True where some step stabilises motions along the surfaces.
+    pub stabilized_along: bool,
     /// The data line: out-of-plane thickness [L] (plane models) or the area [L²] of every node of a node-based
     /// surface.
     pub measure: Option<f64>,
+}
+
+impl Interaction {
+    /// True where anything acts along the surfaces: points need their directions and rows there.
+    pub fn acts_along(&self) -> bool {
+        self.friction.is_some() || self.damping.is_some_and(|d| d.tangent_fraction > 0.0) || self.stabilized_along
+    }
 }

@@ -2,7 +2,6 @@
 //! interaction, and stabilisation, which a step adds.
 
 use crate::contact::Contact;
-use crate::facet::Vec3;
 use crate::point::dot;
 use crate::term::{Blocks, add};
 use fe_core::{Assembly, Motion};
@@ -79,9 +78,6 @@ pub(crate) struct Resistance {
     pub fall: [f64; 2],
     /// Factor at the end of the step, and its period [T].
     pub course: (f64, f64),
-    /// Derivatives of the motion along the surface by the freedoms of each point's nodes, in one or two directions; empty
-    /// where nothing acts along it.
-    along: Vec<Vec<Vec<f64>>>,
     /// Where the energy it takes stands in the history, before the pressures of the points if they are kept.
     place: usize,
     /// Whether the pressures are kept, as part of CPRESS.
@@ -90,11 +86,10 @@ pub(crate) struct Resistance {
 
 impl Resistance {
     /// Damping in a step of so long a `period` [T]; `place` is its own in the history.
-    pub fn damping(contact: &Contact, damping: &Damping, period: f64, place: usize) -> Self {
+    pub fn damping(damping: &Damping, period: f64, place: usize) -> Self {
         let coefficients = [damping.coefficient, damping.tangent_fraction * damping.coefficient];
         let fall = [damping.constant_part * damping.clearance, damping.clearance];
-        let along = all_along(contact, coefficients);
-        Resistance { coefficients, fall, course: (1.0, period), along, place, keeps_pressures: true }
+        Resistance { coefficients, fall, course: (1.0, period), place, keeps_pressures: true }
     }
 
     /// Stabilisation in a step of so long a `period` [T]; `place` is its own in the history.
@@ -108,9 +103,8 @@ impl Resistance {
         };
         let range = stabilization.range.or(Some(contact.length)).filter(|l| *l > 0.0).unwrap_or(f64::INFINITY);
         let coefficients = [coefficient, stabilization.tangent_fraction * coefficient];
-        let along = all_along(contact, coefficients);
         let (fall, course) = ([0.5 * range, range], (stabilization.end, period));
-        Resistance { coefficients, fall, course, along, place, keeps_pressures: false }
+        Resistance { coefficients, fall, course, place, keeps_pressures: false }
     }
 
     /// Numbers of history.
@@ -133,38 +127,6 @@ impl Resistance {
     }
 }
 
-/// Rows of all points along the surface, where a coefficient asks for them.
-fn all_along(contact: &Contact, coefficients: [f64; 2]) -> Vec<Vec<Vec<f64>>> {
-    if coefficients[1] == 0.0 {
-        return Vec::new();
-    }
-    (0..contact.points.len()).map(|i| along(contact, i)).collect()
-}
-
-/// Rows of a point in the directions along its surface. The nodes' weights are those of its gap.
-fn along(contact: &Contact, point: usize) -> Vec<Vec<f64>> {
-    let p = &contact.points[point];
-    let normal = Vec3::from(p.normal);
-    if normal == Vec3::zeros() {
-        return Vec::new();
-    }
-    let first = normal.cross(&Vec3::ith(normal.iamin(), 1.0)).normalize();
-    let in_direction = |t: Vec3| {
-        let mut row = Vec::with_capacity(p.row.len());
-        let mut start = 0;
-        for place in &contact.places[point] {
-            let of_node = &p.row[start..start + place.len()];
-            start += place.len();
-            let weight: f64 = of_node.iter().zip(normal.iter()).map(|(d, n)| d * n).sum();
-            // Rotations, beyond the third, are left to the motion across.
-            row.extend((0..place.len()).map(|c| if c < 3 { weight * t[c] } else { 0.0 }));
-        }
-        row
-    };
-    let rows = [first, normal.cross(&first)].map(in_direction);
-    rows.into_iter().filter(|row| row.iter().any(|d| d.abs() > f64::EPSILON)).collect()
-}
-
 impl Contact {
     /// What damps the surfaces; `None` where nothing does, or the step has removed the contact.
     pub fn damping(&self) -> Option<&Damping> {
@@ -181,7 +143,7 @@ impl Contact {
         history: &mut Vec<f64>,
     ) {
         self.viscous.before = before;
-        let damping = self.damping().map(|d| Resistance::damping(self, d, period, history.len()));
+        let damping = self.damping().map(|d| Resistance::damping(d, period, history.len()));
         let numbers = |resistance: &Option<Resistance>| resistance.as_ref().map_or(0, |r| r.numbers(self.points.len()));
         history.resize(history.len() + numbers(&damping), 0.0);
         let stabilization = stabilization.filter(|_| self.acts());
@@ -246,19 +208,25 @@ impl Contact {
         let [across, along] = resistance.coefficients.map(|c| c * measure / at.dt);
         let opened = dot(&here.row, at.du, places);
         let force = across * factor * opened;
-        let mut taken = force * opened;
         add(&here.row, force, places, out.residual);
-        // Opening out of reach the force falls again, and the matrix is to stay positive definite.
-        let mut parts = vec![(across * (factor + slope * opened).max(0.0), &*here.row)];
-        parts.extend(here.bending.iter().map(|(turning, row)| (force * turning, row.as_slice())));
-        for row in resistance.along.get(point).into_iter().flatten() {
+        let slide = if along > 0.0 { self.points[point].slide_at((at.u, at.du), places) } else { None };
+        let mut taken = force * opened;
+        for row in slide.iter().flat_map(|slide| &slide.rows) {
             let slid = dot(row, at.du, places);
             taken += along * factor * slid * slid;
             add(row, along * factor * slid, places, out.residual);
-            parts.push((along * factor, row));
         }
         if let (Some(blocks), Some(matrix)) = (blocks, out.stiffness.as_deref_mut()) {
-            parts.into_iter().for_each(|part| self.add_stiffness(point, part, blocks, matrix));
+            // Opening out of reach the force falls again, and the matrix is to stay positive definite.
+            let across = [(across * (factor + slope * opened).max(0.0), &*here.row)];
+            let turning = here.bending.iter().map(|(turning, row)| (force * turning, row.as_slice()));
+            let rows = slide.iter().flat_map(|slide| &slide.rows).filter(|row| !row.is_empty());
+            let along = rows.map(|row| (along * factor, row.as_slice()));
+            across
+                .into_iter()
+                .chain(turning)
+                .chain(along)
+                .for_each(|part| self.add_stiffness(point, part, blocks, matrix));
         }
         (-force / measure, taken)
     }
@@ -272,7 +240,7 @@ mod tests {
     #[test]
     fn a27_contact_damping() {
         let (coefficients, fall, course) = ([10.0, 0.0], [0.05, 0.1], (1.0, 1.0));
-        let resistance = Resistance { coefficients, fall, course, along: Vec::new(), place: 0, keeps_pressures: true };
+        let resistance = Resistance { coefficients, fall, course, place: 0, keeps_pressures: true };
         let at = Motion { u: &[], du: &[], step_time: 0.5, total_time: 0.5, dt: 0.25 };
         for (clearance, expected) in [(-0.01, 20.0), (0.025, 20.0), (0.05, 20.0), (0.075, 10.0), (0.12, 0.0)] {
             let [factor, slope] = resistance.factor(clearance, &at);

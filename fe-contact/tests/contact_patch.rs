@@ -91,6 +91,7 @@ fn deviation(patch: &Patch, enforcement: Enforcement) -> f64 {
         no_separation: false,
         friction: None,
         damping: None,
+        stabilized_along: false,
         measure: None,
     };
     let pair = Contact::of_pair(structure, &freedoms, &definition, &interaction).unwrap();

@@ -86,6 +86,7 @@ fn solve(element: ElementType, n: usize, discretization: Discretization, direct:
         no_separation: false,
         friction: None,
         damping: None,
+        stabilized_along: false,
         measure: None,
     };
     let pair = Contact::of_pair(&structure, &freedoms, &definition, &interaction).unwrap();

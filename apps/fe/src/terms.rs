@@ -55,7 +55,8 @@ impl Terms {
             moves.iter().for_each(|m| points[m.node as usize] = m.to);
         }
         let freedoms = structure.freedoms(&model.references);
-        let (interactions, remarks) = slip::settle(&structure, &definitions, &model.interactions);
+        let (mut interactions, remarks) = slip::settle(&structure, &definitions, &model.interactions);
+        stabilized_along(model).for_each(|interaction| interactions[interaction].stabilized_along = true);
         notes.extend(remarks);
         let mut contacts = Vec::new();
         for (k, (definition, _)) in model.pairs.iter().enumerate() {
@@ -148,6 +149,19 @@ impl Terms {
             None => format!("the body of node {}", mesh.point_name(body.nodes[0])),
         }
     }
+}
+
+/// The interactions of contacts that some step stabilises along their surfaces.
+fn stabilized_along(model: &Model) -> impl Iterator<Item = usize> {
+    let pairs = model.pairs.iter().map(|(pair, _)| pair.interaction);
+    let gaps = model.gaps.iter().map(|(gaps, _)| gaps.interaction);
+    let of_contact: Vec<usize> =
+        pairs.chain(gaps).chain(model.tubes.iter().map(|(tubes, _)| tubes.interaction)).collect();
+    let along = |conditions: &Conditions| conditions.stabilization.is_some_and(|s| s.tangent_fraction > 0.0);
+    let contacts = model.steps.iter().flat_map(move |step| {
+        step.conditions.iter().enumerate().filter(move |(_, conditions)| along(conditions)).map(|(k, _)| k)
+    });
+    contacts.map(move |k| of_contact[k])
 }
 
 /// Relative error of deflections that is told.

@@ -2,6 +2,7 @@
 
 mod far;
 mod friction;
+mod resistance;
 mod robustness;
 pub mod scene;
 mod speed;

@@ -150,6 +150,7 @@ pub fn linear() -> Interaction {
         no_separation: false,
         friction: None,
         damping: None,
+        stabilized_along: false,
         measure: None,
     }
 }

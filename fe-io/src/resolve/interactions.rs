@@ -102,7 +102,15 @@ impl Interactions {
         let measure = line.and_then(|line| Row::read(line, fields(entry), diagnostics).number(0));
         let normal = NormalBehavior::Hard(Enforcement::Usual);
         let (friction, damping) = (None, None);
-        self.list.push(Interaction { name, normal, no_separation: false, friction, damping, measure });
+        self.list.push(Interaction {
+            name,
+            normal,
+            no_separation: false,
+            friction,
+            damping,
+            stabilized_along: false,
+            measure,
+        });
         self.cards.push((entry.keyword.name, entry.card.span));
         self.described.push(BTreeMap::new());
     }
