@@ -4,35 +4,8 @@
 
 mod common;
 
-use common::Scratch;
+use common::job::{Job, PRINTED, close};
 use common::slider::{Body, DISTANCE, K, pair, penalty};
-use fe_io::results::read::tables;
-
-/// Prints ten digits.
-const PRINTED: f64 = 5e-10;
-
-/// Values of a component (from 1) of the first row of all tables of a title and a set.
-fn all(text: &str, title: &str, set: &str, component: usize) -> Vec<f64> {
-    let blocks = tables(text).unwrap();
-    let wanted = blocks.iter().filter(|b| b.title.starts_with(title) && b.set == set);
-    wanted.map(|b| b.rows[0].values[component - 1]).collect()
-}
-
-fn run(name: &str, deck: &str) -> String {
-    let scratch = Scratch::new(name);
-    scratch.write("slider.inp", deck);
-    let run = scratch.fe(&["run", "slider.inp", "--quiet"]);
-    assert_eq!(run.status, 0, "{name}: {}\n{deck}", run.error);
-    scratch.read("slider.dat")
-}
-
-fn close(what: &str, got: &[f64], expected: &[f64], size: f64) {
-    assert_eq!(got.len(), expected.len(), "{what}: {got:?}");
-    assert!(
-        got.iter().zip(expected).all(|(g, e)| (g - e).abs() <= PRINTED * size),
-        "{what}: {got:?}, not {expected:?}"
-    );
-}
 
 /// The pair acts, is removed, and acts again. Its force ramps to zero over the step that removes it, N = 400 (1 − t), while
 /// the column goes on to x = F/k; added again, it presses the column back.
@@ -51,14 +24,14 @@ fn a_pair_is_removed_and_added() {
             change("REMOVE"),
             change("ADD")
         );
-        let text = run("model_change", &deck);
+        let job = Job::run("model_change", &deck);
         let held = 500.0 - K * DISTANCE;
         let mut forces = vec![held];
         forces.extend([0.75, 0.5, 0.25, 0.0].map(|t| t * held));
         forces.extend([held; 5]);
         let x: Vec<f64> = forces.iter().map(|n| -(500.0 - n) / K).collect();
-        close("force on the stop", &all(&text, "forces", "REF", body.axis()), &forces, held);
-        close("displacement", &all(&text, "displacements", "NEAR", body.axis()), &x, 1.0);
+        close("force on the stop", job.all("forces", "REF", body.axis()), &forces, PRINTED * held);
+        close("displacement", job.all("displacements", "NEAR", body.axis()), &x, PRINTED);
     }
 }
 
@@ -74,7 +47,7 @@ fn forces(name: &str, behavior: &str, cards: &[&str]) -> Vec<f64> {
     for card in cards {
         deck += &format!("*STEP\n*STATIC\n*DSLOAD\nSEC, P, -500.\n{card}*NODE PRINT, NSET=REF\nRF\n*END STEP\n");
     }
-    all(&run(name, &deck), "forces", "REF", body.axis())
+    Job::run(name, &deck).all("forces", "REF", body.axis())
 }
 
 /// A01 with the penalty f k: N = 400 f/(1 + f). A control of a pair counts more than one of all; both hold on until RESET.
@@ -91,7 +64,7 @@ fn contact_controls_scale_the_penalty() {
     ];
     let found = forces("controls_scale", &penalty(K), &cards);
     let expected = [1.0, 3.0, 3.0, 9.0, 9.0, 1.0].map(|f| 400.0 * f / (1.0 + f));
-    close("scaled penalty", &found, &expected, 400.0);
+    close("scaled penalty", &found, expected, PRINTED * 400.0);
 }
 
 /// A01 with AUGMENTED LAGRANGE, β = 10: the overclosure is 0.0364 after the first pass, 0.0033 after the second and 0.0003
@@ -108,7 +81,7 @@ fn contact_controls_set_the_tolerance_of_augmentation() {
         ("*CONTACT CONTROLS, RELATIVE PENETRATION TOLERANCE=0.001\n", 3),
     ] {
         let found = forces("controls_tolerance", &behavior, &[tolerance]);
-        close(tolerance, &found, &[passes(n)], 400.0);
+        close(tolerance, &found, [passes(n)], PRINTED * 400.0);
     }
 }
 
@@ -140,9 +113,9 @@ fn multipliers_by_controls() {
                 change("LAGRANGE MULTIPLIER=NO"),
                 change("RESET")
             );
-            let text = run("multipliers_by_controls", &deck);
+            let job = Job::run("multipliers_by_controls", &deck);
             let what = format!("{body:?} {kind} {contact}");
-            close(&what, &all(&text, "forces", "REF", body.axis()), &[without, yes, no, without], 400.0);
+            close(&what, job.all("forces", "REF", body.axis()), [without, yes, no, without], PRINTED * 400.0);
         }
     }
 }

@@ -6,7 +6,7 @@
 mod common;
 
 use common::Scratch;
-use common::results::Results;
+use common::job::Job;
 use std::f64::consts::PI;
 
 const YOUNG: f64 = 2.1e5;
@@ -14,11 +14,7 @@ const BOUND: f64 = 1e-7;
 
 /// Displacements and contact forces of the last increment, `[points × 3]`.
 fn solve(name: &str, deck: &str) -> (Vec<f64>, Vec<f64>) {
-    let scratch = Scratch::new(name);
-    scratch.write("job.inp", deck);
-    let run = scratch.fe(&["run", "job.inp", "--quiet"]);
-    assert_eq!(run.status, 0, "{name}: {}\n{deck}", run.error);
-    let results = Results::open(&scratch.path("job.vtkhdf"));
+    let results = Job::run(name, deck).results();
     let last = results.times().len() - 1;
     (results.point_field("U", 3, last), results.point_field("CNORMF", 3, last))
 }

@@ -3,8 +3,7 @@
 
 mod common;
 
-use common::Scratch;
-use fe_io::results::read::tables;
+use common::job::Job;
 
 /// What holds node 1 against a force of 200, and along which direction it may slide.
 #[derive(Clone, Copy, Debug)]
@@ -59,14 +58,8 @@ impl Element {
 
 /// N, T and slip as they are printed at the end, with ten digits.
 fn solve(name: &str, element: Element, deck: &str) -> [f64; 3] {
-    let scratch = Scratch::new(name);
-    scratch.write("point.inp", deck);
-    let run = scratch.fe(&["run", "point.inp", "--quiet"]);
-    assert_eq!(run.status, 0, "{element:?}: {}\n{deck}", run.error);
-    let tables = tables(&scratch.read("point.dat")).unwrap();
-    let row = |title: &str| tables.iter().rfind(|t| t.title.starts_with(title)).unwrap().rows[0].values.clone();
-    let (stress, strain, (_, column)) = (row("stresses"), row("strains"), element.along());
-    [stress[0], stress[column], strain[column]]
+    let (job, (_, column)) = (Job::run(name, deck), element.along());
+    [("stresses", 0), ("stresses", column), ("strains", column)].map(|(title, c)| job.last(title, "G", c + 1))
 }
 
 /// N = 200, μ = 0.3, spring 1000: a load of 50 sticks, one of 70 slips by (70 − 60)/1000. Rough points stick in both.

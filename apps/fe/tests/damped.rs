@@ -3,33 +3,8 @@
 
 mod common;
 
-use common::Scratch;
+use common::job::{Job, PRINTED, close};
 use common::slider::{Body, DISTANCE, K, pair, penalty};
-use fe_io::results::read::tables;
-
-/// Prints ten digits.
-const PRINTED: f64 = 5e-10;
-
-/// Values of a component (from 1) of the first row of all tables of a title.
-fn all(text: &str, title: &str, component: usize) -> Vec<f64> {
-    let blocks = tables(text).unwrap();
-    blocks.iter().filter(|b| b.title.starts_with(title)).map(|b| b.rows[0].values[component - 1]).collect()
-}
-
-/// Tables, output and plan of a run.
-fn run(name: &str, deck: &str) -> (String, String, String) {
-    let scratch = Scratch::new(name);
-    scratch.write("job.inp", deck);
-    let run = scratch.fe(&["run", "job.inp"]);
-    assert_eq!(run.status, 0, "{name}: {}\n{deck}", run.error);
-    (scratch.read("job.dat"), run.output, scratch.fe(&["check", "job.inp"]).output)
-}
-
-fn close(what: &str, got: &[f64], expected: &[f64], size: f64) {
-    assert_eq!(got.len(), expected.len(), "{what}: {got:?}");
-    let within = |(g, e): (&f64, &f64)| (g - e).abs() <= PRINTED * size;
-    assert!(got.iter().zip(expected).all(within), "{what}: {got:?}, not {expected:?}");
-}
 
 /// A gap element of area 0.5 and clearance `gap`, LINEAR 100, damped.
 fn gap(gap: f64, damping: &str) -> String {
@@ -54,7 +29,7 @@ fn a27_contact_damping() {
         format!("*STEP, INC=30\n*STATIC, DIRECT\n0.0025, 0.0675\n*BOUNDARY\n2, 3, 3, {z}\n{prints}*END STEP\n")
     };
     let deck = gap(0.125, "\n10., 0.1, 0.5") + &step(-0.135) + &step(0.0);
-    let (text, output, plan) = run("damped_gap", &deck);
+    let job = Job::run("damped_gap", &deck);
     let clearance = |n: usize| 0.125 - 0.005 * if n <= 27 { n as f64 } else { 54.0 - n as f64 };
     let pressure = |n: usize| {
         let speed = if n <= 27 { 2.0 } else { -2.0 };
@@ -62,27 +37,27 @@ fn a27_contact_damping() {
     };
     let pressures: Vec<f64> = (1..=54).map(pressure).collect();
     let named = [1, 10, 15, 20, 27].map(|n| pressures[n - 1]);
-    close("closed form", &named, &[0.0, 10.0, 20.0, 20.0, 21.0], 20.0);
-    close("pressure", &all(&text, "stresses", 1), &pressures, 20.0);
+    close("closed form", named, [0.0, 10.0, 20.0, 20.0, 21.0], PRINTED * 20.0);
+    close("pressure", job.all("stresses", "G", 1), &pressures, PRINTED * 20.0);
     let forces: Vec<f64> = pressures.iter().map(|p| 0.5 * p).collect();
-    close("force", &all(&text, "forces", 3), &forces, 10.0);
+    close("force", job.all("forces", "FIRST", 3), &forces, PRINTED * 10.0);
     let energy: f64 = (1..=54).map(|n| coefficient(clearance(n)) * 4.0 * 0.5 * 0.0025).sum();
-    let line = output.lines().find(|l| l.contains("contact damping")).expect("the energy is told");
+    let line = job.told.lines().find(|l| l.contains("contact damping")).expect("the energy is told");
     let taken: f64 = line.split_whitespace().nth(2).unwrap().parse().unwrap();
     // It prints seven digits.
     assert!((taken - energy).abs() <= 5e-7 * energy, "{line}, not {energy}");
     let words = "damping 1.000000e1 F T/L³ across and 0.000000e0 F T/L³ along the surface up to a clearance of 5.000e-2 L, none \
                 from 1.000e-1 L on";
-    assert!(plan.contains(words), "{plan}");
+    assert!(job.plan().contains(words), "{}", job.plan());
 }
 
 /// Along the surface the fraction of the coefficient resists, on open points, too: 0.3 · 10 · 2 · 0.5.
 #[test]
 fn damping_along_the_surface() {
     let step = "*STEP\n*STATIC, DIRECT\n0.25, 1.\n*BOUNDARY\n2, 1, 1, 2.\n*NODE PRINT, NSET=FIRST\nRF\n*END STEP\n";
-    let (text, ..) = run("damped_along", &(gap(0.02, ", TANGENT FRACTION=0.3\n10., 0.1, 0.5") + step));
-    close("across", &all(&text, "forces", 3), &[0.0; 4], 3.0);
-    close("along", &all(&text, "forces", 1), &[-3.0; 4], 3.0);
+    let job = Job::run("damped_along", &(gap(0.02, ", TANGENT FRACTION=0.3\n10., 0.1, 0.5") + step));
+    close("across", job.all("forces", "FIRST", 3), [0.0; 4], PRINTED * 3.0);
+    close("along", job.all("forces", "FIRST", 1), [-3.0; 4], PRINTED * 3.0);
 }
 
 /// The slider pulled towards its stop within c₀, where the coefficient falls from μ₀ at c₀/4: in each of ten increments
@@ -124,11 +99,12 @@ fn a27_damped_slider() {
             penalty(part * penalty_stiffness),
             part * damping
         );
-        let (text, _, plan) = run("damped_slider", &deck);
-        let got: Vec<f64> = all(&text, "forces", body.axis()).iter().map(|f| f.abs()).collect();
-        close(&format!("{body:?} {kind} {nodes}"), &got, &forces, 400.0);
+        let job = Job::run("damped_slider", &deck);
+        let got: Vec<f64> = job.all("forces", "REF", body.axis()).iter().map(|f| f.abs()).collect();
+        close(&format!("{body:?} {kind} {nodes}"), &got, &forces, PRINTED * 400.0);
         let pressures: Vec<f64> = forces.iter().map(|force| part * force).collect();
-        close("CPRESS, on open points, too", &all(&text, "contact stress", 1), &pressures, 400.0);
+        close("CPRESS, on open points, too", job.all("contact stress", "", 1), &pressures, PRINTED * 400.0);
+        let plan = job.plan();
         assert!(plan.contains(if nodes { " F T/L across" } else { " F T/L³ across" }), "{plan}");
     }
 }

@@ -4,11 +4,8 @@
 mod common;
 
 use common::Scratch;
-use common::results::Results;
+use common::job::{ALGEBRAIC, Job, close};
 use common::slider::{Body, DISTANCE, K, pair};
-
-/// Relative bound of a discrete problem that has the closed answer.
-const ALGEBRAIC: f64 = 1e-10;
 
 /// Starts at a clearance, kink, plateau, last slope 600 continued.
 const TABLE: &str = "0., -0.02\n10., 0.\n10., 0.05\n200., 0.10\n260., 0.20\n";
@@ -28,11 +25,7 @@ fn deck(law: &str, data: &str, load: f64, steps: &str) -> String {
 
 /// Overclosure, and by how much the brick got shorter.
 fn solve(name: &str, deck: &str) -> [f64; 2] {
-    let scratch = Scratch::new(name);
-    scratch.write("brick.inp", deck);
-    let run = scratch.fe(&["run", "brick.inp", "--quiet"]);
-    assert_eq!(run.status, 0, "{name}: {}", run.error);
-    let results = Results::open(&scratch.path("brick.vtkhdf"));
+    let results = Job::run(name, deck).results();
     let u = results.point_field("U", 3, results.times().len() - 1);
     let [near, far] = [[0.0; 3], [0.0, 0.0, 1.0]].map(|x| u[3 * results.point_at(x) + 2]);
     [-near - DISTANCE, near - far]
@@ -40,9 +33,7 @@ fn solve(name: &str, deck: &str) -> [f64; 2] {
 
 fn assert_placed(what: &str, found: [f64; 2], overclosure: f64, load: f64) {
     let size = DISTANCE + load / K;
-    for (found, expected) in found.into_iter().zip([overclosure, load / K]) {
-        assert!((found - expected).abs() <= ALGEBRAIC * size, "{what}, {load}: {found}, not {expected}");
-    }
+    close(&format!("{what}, {load}"), found, [overclosure, load / K], ALGEBRAIC * size);
 }
 
 /// An exponential law has no slope where it begins: the brick is brought there, and finds the overclosure h = (z − 1) c₀

@@ -4,11 +4,7 @@
 
 mod common;
 
-use common::Scratch;
-use fe_io::results::read::tables;
-
-/// Prints ten digits.
-const PRINTED: f64 = 5e-10;
+use common::job::{Job, PRINTED};
 
 const HARD: &str = "*SURFACE INTERACTION, NAME=I\n";
 const PAIR: &str = "*CONTACT PAIR, INTERACTION=I, TYPE=SURFACE TO SURFACE, SMALL SLIDING\nSEC, FLOOR\n";
@@ -29,27 +25,14 @@ fn column(overlap: f64) -> String {
 
 /// Forces on the floor and gaps of the first point, increment by increment.
 fn run(name: &str, model: &str, steps: &str) -> (Vec<f64>, Vec<f64>) {
-    let scratch = Scratch::new(name);
     let prints = "*NODE PRINT, NSET=REF\nRF\n*CONTACT PRINT\nCDISP\n*END STEP\n";
-    let deck = format!("{model}{}", steps.replacen("*END STEP\n", prints, 1));
-    scratch.write("column.inp", &deck);
-    let run = scratch.fe(&["run", "column.inp", "--quiet"]);
-    assert_eq!(run.status, 0, "{name}: {}\n{deck}", run.error);
-    let blocks = tables(&scratch.read("column.dat")).unwrap();
-    let values = |title: &str, component: usize| {
-        let wanted = blocks.iter().filter(|b| b.title.starts_with(title));
-        wanted.map(|b| b.rows.first().map_or(f64::NAN, |row| row.values[component])).collect::<Vec<_>>()
-    };
-    (values("forces", 2), values("relative contact displacement", 0))
+    let job = Job::run(name, &format!("{model}{}", steps.replacen("*END STEP\n", prints, 1)));
+    (job.all("forces", "REF", 3), job.all("relative contact displacement", "", 1))
 }
 
+/// To the digits printed of the largest.
 fn close(what: &str, got: &[f64], expected: &[f64]) {
-    assert_eq!(got.len(), expected.len(), "{what}: {got:?}");
-    let size = expected.iter().fold(0.0f64, |m, e| m.max(e.abs()));
-    assert!(
-        got.iter().zip(expected).all(|(g, e)| (g - e).abs() <= PRINTED * size),
-        "{what}: {got:?}, not {expected:?}"
-    );
+    common::job::close(what, got, expected, PRINTED * expected.iter().fold(0.0f64, |m, e| m.max(e.abs())));
 }
 
 /// The overlap that is let be ramps to 0: the reaction on the floor is 10 t, and the gap that counts is 0.

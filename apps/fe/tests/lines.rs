@@ -3,31 +3,14 @@
 
 mod common;
 
-use common::results::Results;
+use common::job::Job;
 use common::{Run, Scratch};
-use fe_io::results::read::{Table, tables};
-
-/// Runs a deck, which must end well; its tables.
-fn solve(name: &str, deck: &str) -> (Scratch, Vec<Table>) {
-    let scratch = Scratch::new(name);
-    scratch.write("job.inp", deck);
-    let run = scratch.fe(&["run", "job.inp"]);
-    assert_eq!(run.status, 0, "{}{}", run.output, run.error);
-    let found = tables(&scratch.read("job.dat")).unwrap();
-    (scratch, found)
-}
 
 /// Runs a deck.
 fn attempt(name: &str, deck: &str) -> Run {
     let scratch = Scratch::new(name);
     scratch.write("job.inp", deck);
     scratch.fe(&["run", "job.inp"])
-}
-
-/// Numbers of the first row of the last table of a kind.
-fn row(tables: &[Table], title: &str) -> Vec<f64> {
-    let table = tables.iter().rev().find(|table| table.title.starts_with(title)).unwrap();
-    table.rows[0].values.clone()
 }
 
 /// n beams along x from the origin to x = 1000, a set of the last node, the first held in all freedoms.
@@ -51,9 +34,9 @@ fn c03_beams_from_decks() {
         [("B21", 2, 111.643557423), ("B23", 1, 119.047619048), ("B31", 4, 117.223914566), ("B33", 2, 119.047619048)]
     {
         let deck = cantilever(element, n, SQUARE) + "*STEP\n*STATIC\n1., 1.\n*CLOAD\nTIP, 2, 1000.\n" + PRINT;
-        let (_, found) = solve(&format!("c03_{element}"), &deck);
-        assert!((row(&found, "displacements")[1] / exact - 1.0).abs() < 1e-6, "{element}");
-        assert!((row(&found, "forces")[1] + 1000.0).abs() < 1e-3, "{element}");
+        let job = Job::run(&format!("c03_{element}"), &deck);
+        assert!((job.last("displacements", "TIP", 2) / exact - 1.0).abs() < 1e-6, "{element}");
+        assert!((job.last("forces", "FOOT", 2) + 1000.0).abs() < 1e-3, "{element}");
     }
 }
 
@@ -63,16 +46,19 @@ fn c03_beams_from_decks() {
 fn moments_and_loads_along_beams() {
     let inertia = 20f64.powi(4) / 12.0;
     let loads = "*STEP\n*STATIC\n1., 1.\n*CLOAD\nTIP, 6, 1e6\n".to_owned() + PRINT;
-    let (_, found) = solve("beam_moment", &(cantilever("B33", 2, SQUARE) + &loads));
-    assert!((row(&found, "displacements")[1] / (1e6 * 1e6 / (2.0 * 210e3 * inertia)) - 1.0).abs() < 1e-6);
+    let job = Job::run("beam_moment", &(cantilever("B33", 2, SQUARE) + &loads));
+    assert!((job.last("displacements", "TIP", 2) / (1e6 * 1e6 / (2.0 * 210e3 * inertia)) - 1.0).abs() < 1e-6);
     let q = 8e-9 * 400.0 * 9810.0;
     for (name, load) in
         [("beam_line_load", format!("BEAM, PY, {}", -q)), ("beam_weight", "BEAM, GRAV, 9810., 0., -1.".into())]
     {
         let loads = format!("*STEP\n*STATIC\n1., 1.\n*DLOAD\n{load}\n{PRINT}");
-        let (_, found) = solve(name, &(cantilever("B23", 2, SQUARE) + &loads));
-        assert!((row(&found, "displacements")[1] / (-q * 1e12 / (8.0 * 210e3 * inertia)) - 1.0).abs() < 1e-6, "{name}");
-        assert!((row(&found, "forces")[1] / (q * 1000.0) - 1.0).abs() < 1e-6, "{name}");
+        let job = Job::run(name, &(cantilever("B23", 2, SQUARE) + &loads));
+        assert!(
+            (job.last("displacements", "TIP", 2) / (-q * 1e12 / (8.0 * 210e3 * inertia)) - 1.0).abs() < 1e-6,
+            "{name}"
+        );
+        assert!((job.last("forces", "FOOT", 2) / (q * 1000.0) - 1.0).abs() < 1e-6, "{name}");
     }
 }
 
@@ -133,16 +119,16 @@ RF
 S, E
 *END STEP
 ";
-    let (scratch, found) = solve("bars_springs", deck);
+    let job = Job::run("bars_springs", deck);
     // 40 to the right; the bar of 42000 stands in series with the 100 to the ground, both beside 300.
     let left = 1.0 / (1.0 / 100.0 + 1.0 / 42000.0);
     let u = 40.0 / (left + 300.0);
     let close = |found: f64, exact: f64| assert!((found / exact - 1.0).abs() < 1e-6, "{found} {exact}");
-    close(row(&found, "displacements")[0], u);
-    close(row(&found, "forces")[0], -300.0 * u);
-    close(row(&found, "stresses")[0], left * u / 2.0);
-    close(row(&found, "strains")[0], left * u / 2.0 / 210000.0);
-    let results = Results::open(&scratch.path("job.vtkhdf"));
+    close(job.last("displacements", "TIP", 1), u);
+    close(job.last("forces", "FOOT", 1), -300.0 * u);
+    close(job.last("stresses", "BAR", 1), left * u / 2.0);
+    close(job.last("strains", "BAR", 1), left * u / 2.0 / 210000.0);
+    let results = job.results();
     assert_eq!(results.integer("VTKHDF/Offsets"), [0, 2, 3, 5, 6, 8]);
     // Along the bar in every frame; nothing for springs.
     let stress = results.real("VTKHDF/CellData/S");
@@ -151,7 +137,7 @@ S, E
     assert!(last[1..6].iter().all(|s| s.abs() < 1e-12) && last[6..].iter().all(|s| s.is_nan()));
     let forces = results.real("VTKHDF/CellData/SF");
     close(forces[forces.len() - 15], left * u);
-    let plan = scratch.fe(&["check", "job.inp"]).output;
+    let plan = job.plan();
     for words in
         ["1 T2D2 of STEEL, area 2 L²", "1 SPRING1, stiffness 100 F/L", "1 DASHPOTA: dashpots", "1 MASS: of masses"]
     {
@@ -169,15 +155,13 @@ fn d28_thin_beams_say_what_they_lose() {
             let section = format!("*BEAM SECTION, ELSET=BEAM, MATERIAL=STEEL, SECTION=RECT\n{t}, {t}\n");
             let load = 1000.0 * (t / 20.0f64).powi(4);
             let loads = format!("*STEP\n*STATIC\n1., 1.\n*CLOAD\nTIP, 2, {load}\n{PRINT}");
-            let scratch = Scratch::new(&format!("d28_thin_{element}_{slenderness}"));
-            scratch.write("job.inp", &(cantilever(element, n, &section) + &loads));
-            let run = scratch.fe(&["run", "job.inp"]);
-            assert_eq!(run.status, 0, "{}", run.error);
+            let job =
+                Job::run(&format!("d28_thin_{element}_{slenderness}"), &(cantilever(element, n, &section) + &loads));
             let shear = load * 1000.0 / (0.85 * 210e3 / 2.6 * t * t);
             let exact = 119.047619047619 * if element == "B31" { 1.0 - 1.0 / 256.0 } else { 1.0 }
                 + if element == "B31" { shear } else { 0.0 };
-            let error = row(&tables(&scratch.read("job.dat")).unwrap(), "displacements")[1] / exact - 1.0;
-            let printed = run.output + &run.error;
+            let error = job.last("displacements", "TIP", 2) / exact - 1.0;
+            let printed = &job.told;
             let allowed = match printed.split_once("rounding may cost ") {
                 Some((_, rest)) => rest.split_once(" of").unwrap().0.parse().unwrap(),
                 None => 1e-6,

@@ -4,16 +4,11 @@
 
 mod common;
 
-use common::Scratch;
-use fe_io::results::read::tables;
+use common::job::Job;
 
 /// Reactions at the nodes of a set, by ascending label.
 fn reactions(name: &str, deck: &str, set: &str) -> Vec<[f64; 3]> {
-    let scratch = Scratch::new(name);
-    scratch.write("lines.inp", deck);
-    let run = scratch.fe(&["run", "lines.inp", "--quiet"]);
-    assert_eq!(run.status, 0, "{}", run.error);
-    let blocks = tables(&scratch.read("lines.dat")).unwrap();
+    let blocks = Job::run(name, deck).tables();
     let table = blocks.iter().find(|b| b.title.starts_with("forces") && b.set == set).unwrap();
     table.rows.iter().map(|row| [0, 1, 2].map(|c| row.values[c])).collect()
 }

@@ -4,8 +4,8 @@
 
 mod common;
 
-use common::Scratch;
-use fe_io::results::read::{Table, tables};
+use common::job::Job;
+use fe_io::results::read::Table;
 
 const CUBE: &str = "\
 *NODE
@@ -43,11 +43,7 @@ const PRINTS: &str = "*NODE PRINT, NSET=FOOT, TOTALS=ONLY\nRF\n*NODE PRINT, NSET
 
 /// Time, total reaction of the foot and mean displacement of the top, of every increment.
 fn history(name: &str, steps: &str) -> Vec<(f64, [f64; 3], [f64; 3])> {
-    let scratch = Scratch::new(name);
-    scratch.write("cube.inp", &format!("{CUBE}{steps}"));
-    let run = scratch.fe(&["run", "cube.inp", "--quiet"]);
-    assert_eq!(run.status, 0, "{}", run.error);
-    let blocks = tables(&scratch.read("cube.dat")).unwrap();
+    let blocks = Job::run(name, &format!("{CUBE}{steps}")).tables();
     let of = |title: &'static str| blocks.iter().filter(move |b| b.title.starts_with(title));
     let mean = |block: &Table| -> [f64; 3] {
         let rows = block.rows.len() as f64;

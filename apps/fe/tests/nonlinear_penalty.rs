@@ -5,11 +5,8 @@
 mod common;
 
 use common::Scratch;
-use common::results::Results;
+use common::job::{ALGEBRAIC, Job, relative};
 use common::slider::{Body, DISTANCE, K, pair};
-
-/// Relative bound of a discrete problem that has the closed answer.
-const ALGEBRAIC: f64 = 1e-10;
 
 const BODIES: [(Body, bool); 4] =
     [(Body::Brick, false), (Body::Brick, true), (Body::Plane, false), (Body::Ring, false)];
@@ -33,21 +30,12 @@ fn deck((body, revolved): (Body, bool), kind: &str, line: &str, load: f64) -> St
 
 /// Displacement towards the stop and pressure at the node in the origin, and what the program said.
 fn solve(name: &str, body: Body, deck: &str) -> ([f64; 2], String) {
-    let scratch = Scratch::new(name);
-    scratch.write("slider.inp", deck);
-    let run = scratch.fe(&["run", "slider.inp"]);
-    assert_eq!(run.status, 0, "{}\n{deck}", run.error);
-    let results = Results::open(&scratch.path("slider.vtkhdf"));
+    let job = Job::run(name, deck);
+    let results = job.results();
     let node = results.point_at([0.0; 3]);
     let last = results.times().len() - 1;
     let x = -results.point_field("U", 3, last)[3 * node + body.axis() - 1];
-    ([x, results.point_field("CPRESS", 1, last)[node]], run.output + &run.error)
-}
-
-fn assert_close(what: &str, found: [f64; 2], expected: [f64; 2]) {
-    for (found, expected) in found.into_iter().zip(expected) {
-        assert!((found - expected).abs() <= ALGEBRAIC * expected.abs(), "{what}: {found}, not {expected}");
-    }
+    ([x, results.point_field("CPRESS", 1, last)[node]], job.told)
 }
 
 /// A01: a thousand times the table of K_i = 1, K_f = 100, x_e = 0.01, x_d = 0.03. These are a hundred times the elements
@@ -70,7 +58,7 @@ fn a01_slider_on_a_nonlinear_penalty() {
                     let load = K * (DISTANCE + h) + p;
                     let (found, told) = solve("nonlinear_penalty", body, &deck((body, revolved), kind, &line, load));
                     let what = format!("{body:?} {revolved} {kind} {line} {h}");
-                    assert_close(&what, found, [DISTANCE + h, p]);
+                    relative(&what, found, [DISTANCE + h, p], ALGEBRAIC);
                     // At the limits themselves rounding decides.
                     let decided = h != 0.01 && h != 0.03;
                     assert!(!decided || told.contains("contact is not hard") == soft, "{what}: {told}");
@@ -92,7 +80,7 @@ fn clearance_and_steep_slopes() {
             Body::Brick,
             &deck((Body::Brick, false), "SURFACE TO SURFACE", line, load),
         );
-        assert_close(line, found, [DISTANCE + x, p]);
+        relative(line, found, [DISTANCE + x, p], ALGEBRAIC);
     }
 }
 

@@ -4,11 +4,9 @@
 mod common;
 
 use common::Scratch;
+use common::job::{ALGEBRAIC, relative};
 use common::results::Results;
 use common::slider::{Body, K, pair};
-
-/// Relative bound of a discrete problem that has the closed answer.
-const ALGEBRAIC: f64 = 1e-10;
 
 /// The brick overlaps its stop by this [L] at the start.
 const OVERLAP: f64 = 1e-3;
@@ -30,7 +28,7 @@ fn force(results: &Results) -> f64 {
 }
 
 fn assert_close(what: &str, found: f64, expected: f64) {
-    assert!((found - expected).abs() <= ALGEBRAIC * expected, "{what}: {found}, not {expected}");
+    relative(what, [found], [expected], ALGEBRAIC);
 }
 
 /// Everything is prescribed: slope × overclosure × area from one iteration, up to a billion times the elements beneath.

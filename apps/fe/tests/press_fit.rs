@@ -4,8 +4,7 @@
 
 mod common;
 
-use common::Scratch;
-use fe_io::results::read::tables;
+use common::job::Job;
 
 /// Inner radius, outer radius [L], E [F/L²], ν [-].
 const INNER: [f64; 4] = [20.0, 40.0, 210e3, 0.3];
@@ -64,12 +63,7 @@ fn deck(rings: [[f64; 4]; 2], n: usize, behavior: &str, cards: [&str; 2], increm
 
 /// Pressures at the end.
 fn run(name: &str, deck: &str) -> Vec<f64> {
-    let scratch = Scratch::new(name);
-    scratch.write("fit.inp", deck);
-    let run = scratch.fe(&["run", "fit.inp", "--quiet"]);
-    assert_eq!(run.status, 0, "{name}: {}\n{deck}", run.error);
-    let blocks = tables(&scratch.read("fit.dat")).unwrap();
-    blocks.last().unwrap().rows.iter().map(|row| row.values[0]).collect()
+    Job::run(name, deck).tables().last().unwrap().rows.iter().map(|row| row.values[0]).collect()
 }
 
 const SHRINK: &str = "*CONTACT INTERFERENCE, SHRINK\nSEC, MAIN\n";

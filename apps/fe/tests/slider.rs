@@ -5,36 +5,14 @@
 mod common;
 
 use common::Scratch;
+use common::job::{Job, PRINTED, relative};
 use common::slider::{Body, DISTANCE, K, pair, penalty};
-use fe_io::results::read::tables;
 
 /// Load towards the stop [F].
 const LOAD: f64 = 500.0;
 
 const SURFACE: &str = "SURFACE TO SURFACE";
 const NODE: &str = "NODE TO SURFACE";
-
-/// Last value of a component (from 1) of the first row of the last table of this title.
-fn last(text: &str, title: &str, set: &str, component: usize) -> f64 {
-    let blocks = tables(text).unwrap();
-    let block = blocks.iter().rev().find(|b| b.title.starts_with(title) && b.set == set);
-    block.unwrap_or_else(|| panic!("no table {title} of {set}")).rows[0].values[component - 1]
-}
-
-fn run(name: &str, deck: &str) -> String {
-    let scratch = Scratch::new(name);
-    scratch.write("slider.inp", deck);
-    let run = scratch.fe(&["run", "slider.inp", "--quiet"]);
-    assert_eq!(run.status, 0, "{name}: {}\n{deck}", run.error);
-    scratch.read("slider.dat")
-}
-
-/// Prints ten digits.
-const PRINTED: f64 = 5e-10;
-
-fn close(what: &str, got: f64, expected: f64, tolerance: f64) {
-    assert!((got - expected).abs() <= tolerance * expected.abs(), "{what}: {got}, not {expected}");
-}
 
 /// A pressure load on the near face, pulling towards the stop.
 fn pulled(body: Body, stop: &str, contact: &str) -> String {
@@ -57,13 +35,13 @@ fn a01_hard_slider_by_penalty() {
         for (kind, betas) in [(SURFACE, &[1e-6, 1e-3, 1.0, 1e3, 1e6][..]), (NODE, &[1.0, 1e6])] {
             for &beta in betas {
                 let contact = penalty(beta * K) + &pair(kind);
-                let text = run("slider_penalty", &pulled(body, &body.stop(revolved), &contact));
+                let job = Job::run("slider_penalty", &pulled(body, &body.stop(revolved), &contact));
                 let what = format!("{body:?} {revolved} {kind} {beta}");
                 let force = (LOAD - K * DISTANCE) * beta / (1.0 + beta);
                 let tolerance = PRINTED + 16.0 * beta * f64::EPSILON;
-                close(&what, last(&text, "forces", "REF", body.axis()), force, tolerance);
-                let x = -last(&text, "displacements", "NEAR", body.axis());
-                close(&what, x, DISTANCE + force / (beta * K), tolerance);
+                relative(&what, [job.last("forces", "REF", body.axis())], [force], tolerance);
+                let x = -job.last("displacements", "NEAR", body.axis());
+                relative(&what, [x], [DISTANCE + force / (beta * K)], tolerance);
             }
         }
     }
@@ -75,10 +53,10 @@ fn a02_linear_slider() {
     let law = "*SURFACE INTERACTION, NAME=I\n*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=LINEAR\n4000.\n";
     for (body, revolved) in BODIES {
         for kind in [SURFACE, NODE] {
-            let text = run("slider_linear", &pulled(body, &body.stop(revolved), &(law.to_owned() + &pair(kind))));
+            let job = Job::run("slider_linear", &pulled(body, &body.stop(revolved), &(law.to_owned() + &pair(kind))));
             let what = format!("{body:?} {revolved} {kind}");
-            close(&what, last(&text, "displacements", "NEAR", body.axis()), -0.18, PRINTED);
-            close(&what, last(&text, "forces", "REF", body.axis()), 320.0, PRINTED);
+            relative(&what, [job.last("displacements", "NEAR", body.axis())], [-0.18], PRINTED);
+            relative(&what, [job.last("forces", "REF", body.axis())], [320.0], PRINTED);
         }
     }
 }
@@ -89,10 +67,10 @@ fn a01_hard_slider_direct() {
     for (body, revolved) in BODIES {
         for (kind, card) in [(SURFACE, ", DIRECT"), (NODE, ", DIRECT"), (NODE, "")] {
             let behavior = format!("*SURFACE INTERACTION, NAME=I\n*SURFACE BEHAVIOR{card}\n");
-            let text = run("slider_direct", &pulled(body, &body.stop(revolved), &(behavior + &pair(kind))));
+            let job = Job::run("slider_direct", &pulled(body, &body.stop(revolved), &(behavior + &pair(kind))));
             let what = format!("{body:?} {revolved} {kind}{card}");
-            close(&what, last(&text, "forces", "REF", body.axis()), LOAD - K * DISTANCE, PRINTED);
-            close(&what, last(&text, "displacements", "NEAR", body.axis()), -DISTANCE, PRINTED);
+            relative(&what, [job.last("forces", "REF", body.axis())], [LOAD - K * DISTANCE], PRINTED);
+            relative(&what, [job.last("displacements", "NEAR", body.axis())], [-DISTANCE], PRINTED);
         }
     }
 }
@@ -106,13 +84,13 @@ fn a01_hard_slider_augmented_lagrange() {
         for (line, passes) in [("10000.", 3), ("100000., 0., 0.1", 2), ("2000000., 0., 0.005", 1)] {
             let behavior = format!("*SURFACE INTERACTION, NAME=I\n*SURFACE BEHAVIOR, AUGMENTED LAGRANGE\n{line}\n");
             let small = pair(SURFACE).replace(SURFACE, &format!("{SURFACE}, SMALL SLIDING"));
-            let text = run("slider_augmented", &pulled(body, &body.stop(revolved), &(behavior + &small)));
+            let job = Job::run("slider_augmented", &pulled(body, &body.stop(revolved), &(behavior + &small)));
             let what = format!("{body:?} {revolved} {line}");
             let left = 11f64.powi(-passes);
             let force = (LOAD - K * DISTANCE) * (1.0 - left);
-            close(&what, last(&text, "forces", "REF", body.axis()), force, PRINTED);
+            relative(&what, [job.last("forces", "REF", body.axis())], [force], PRINTED);
             let overlap = (LOAD - K * DISTANCE) * left / K;
-            close(&what, -last(&text, "displacements", "NEAR", body.axis()), DISTANCE + overlap, PRINTED);
+            relative(&what, [-job.last("displacements", "NEAR", body.axis())], [DISTANCE + overlap], PRINTED);
         }
     }
 }
@@ -126,19 +104,19 @@ fn a06_no_separation() {
             let behavior = format!("*SURFACE INTERACTION, NAME=I\n*SURFACE BEHAVIOR{ways}\n");
             let pulled = pulled(body, &body.stop(revolved), &(behavior + &pair(NODE)));
             let back = format!("{pulled}*STEP\n*STATIC\n*DSLOAD\nSEC, P, 300.\n*END STEP\n");
-            let text = run("slider_held", &back);
+            let job = Job::run("slider_held", &back);
             let what = format!("{body:?} {revolved}{ways}");
-            let found = last(&text, "forces", "REF", body.axis());
+            let found = job.last("forces", "REF", body.axis());
             assert!((found - force).abs() <= PRINTED * 400.0, "{what}: {found}");
             let x = if force < 0.0 { DISTANCE } else { -300.0 / K };
-            close(&what, -last(&text, "displacements", "NEAR", body.axis()), x, PRINTED);
+            relative(&what, [-job.last("displacements", "NEAR", body.axis())], [x], PRINTED);
         }
     }
     let behavior = "*SURFACE INTERACTION, NAME=I\n*SURFACE BEHAVIOR, NO SEPARATION\n".to_owned() + &pair(NODE);
     let away = pulled(Body::Brick, &Body::Brick.stop(false), &behavior).replace("P, -500", "P, 300");
-    let text = run("slider_never_closed", &away);
-    assert_eq!(last(&text, "forces", "REF", 3), 0.0);
-    close("away", last(&text, "displacements", "NEAR", 3), 0.3, PRINTED);
+    let job = Job::run("slider_never_closed", &away);
+    assert_eq!(job.last("forces", "REF", 3), 0.0);
+    relative("away", [job.last("displacements", "NEAR", 3)], [0.3], PRINTED);
 }
 
 /// The clearance and the scale factor of the penalty's data line: g₀ becomes g₀ − c, β becomes f β (A01: β = 1,
@@ -147,8 +125,8 @@ fn a06_no_separation() {
 fn a01_clearance_and_scale() {
     for (line, force) in [("1000., 0.05", 225.0), ("500., 0., 2.", 200.0), ("250., 0.05, 4.", 225.0)] {
         let contact = format!("*SURFACE INTERACTION, NAME=I\n*SURFACE BEHAVIOR, PENALTY\n{line}\n{}", pair(SURFACE));
-        let text = run("slider_clearance", &pulled(Body::Brick, &Body::Brick.stop(false), &contact));
-        close(line, last(&text, "forces", "REF", 3), force, PRINTED);
+        let job = Job::run("slider_clearance", &pulled(Body::Brick, &Body::Brick.stop(false), &contact));
+        relative(line, [job.last("forces", "REF", 3)], [force], PRINTED);
     }
 }
 
@@ -158,8 +136,8 @@ fn a01_node_based() {
     for (area, beta, force) in [(", 0.25", 1.0, 200.0), ("", 0.25, 200.0), ("", 1.0, 400.0 * 4.0 / 5.0)] {
         let nodes = format!("*SURFACE, NAME=POINTS, TYPE=NODE\nNEAR{area}\n");
         let contact = nodes + &penalty(beta * K) + &pair(NODE).replace("SEC,", "POINTS,");
-        let text = run("slider_nodes", &pulled(Body::Brick, &Body::Brick.stop(true), &contact));
-        close(area, last(&text, "forces", "REF", 3), force, PRINTED);
+        let job = Job::run("slider_nodes", &pulled(Body::Brick, &Body::Brick.stop(true), &contact));
+        relative(area, [job.last("forces", "REF", 3)], [force], PRINTED);
     }
 }
 
@@ -176,19 +154,13 @@ fn the_reference_node_moves_the_stop() {
             penalty(K),
             pair(SURFACE)
         );
-        let text = run("slider_moved", &deck);
+        let job = Job::run("slider_moved", &deck);
         let force = 0.5 * K * (0.3 - DISTANCE);
-        close("reference", last(&text, "forces", "REF", axis), force, PRINTED);
-        close("reference", last(&text, "displacements", "REF", axis), 0.3, PRINTED);
-        close("held", last(&text, "total force", "HELD", axis), -force, PRINTED);
+        relative("reference", [job.last("forces", "REF", axis)], [force], PRINTED);
+        relative("reference", [job.last("displacements", "REF", axis)], [0.3], PRINTED);
+        relative("held", [job.last("total force", "HELD", axis)], [-force], PRINTED);
         // At a quarter of the way nothing touches.
-        let early: Vec<f64> = tables(&text)
-            .unwrap()
-            .iter()
-            .filter(|b| b.title.starts_with("forces"))
-            .map(|b| b.rows[0].values[axis - 1])
-            .collect();
-        assert_eq!(early[0], 0.0);
+        assert_eq!(job.all("forces", "REF", axis)[0], 0.0);
     }
 }
 
@@ -207,9 +179,9 @@ fn contact_holds_a_loaded_reference_node() {
             penalty(2.0 * K),
             pair(SURFACE)
         );
-        let text = run("slider_loaded", &deck);
-        close("held", last(&text, "total force", "HELD", axis), -40.0, PRINTED);
-        close("way", last(&text, "displacements", "REF", axis), DISTANCE + 40.0 / K + 40.0 / (2.0 * K), PRINTED);
+        let job = Job::run("slider_loaded", &deck);
+        relative("held", [job.last("total force", "HELD", axis)], [-40.0], PRINTED);
+        relative("way", [job.last("displacements", "REF", axis)], [DISTANCE + 40.0 / K + 40.0 / (2.0 * K)], PRINTED);
     }
 }
 
@@ -219,8 +191,8 @@ fn surfaces_with_dots_and_slashes() {
     let body = Body::Brick;
     let contact = (penalty(K) + &pair(SURFACE)).replace("SEC,", "\"PART-1.S/EC\",");
     let deck = pulled(body, &body.stop(false), &contact).replace("NAME=SEC", "NAME=\"PART-1.S/EC\"");
-    let text = run("slider_names", &deck.replace("\nSEC, P", "\n\"PART-1.S/EC\", P"));
-    close("force", last(&text, "forces", "REF", 3), 200.0, PRINTED);
+    let job = Job::run("slider_names", &deck.replace("\nSEC, P", "\n\"PART-1.S/EC\", P"));
+    relative("force", [job.last("forces", "REF", 3)], [200.0], PRINTED);
 }
 
 /// Messages about a run name nodes by the labels of the deck.

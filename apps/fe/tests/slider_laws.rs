@@ -6,11 +6,8 @@
 mod common;
 
 use common::Scratch;
-use common::results::Results;
+use common::job::{ALGEBRAIC, Job, relative};
 use common::slider::{Body, pair};
-
-/// Relative bound of a discrete problem that has the closed answer.
-const ALGEBRAIC: f64 = 1e-10;
 
 const KINDS: [&str; 2] = ["SURFACE TO SURFACE", "NODE TO SURFACE"];
 
@@ -37,11 +34,7 @@ fn deck(body: Body, revolved: bool, load: f64, contact: &str) -> String {
 
 /// Displacement towards the stop and the law's number at the node in the origin.
 fn solve(name: &str, body: Body, deck: &str) -> [f64; 2] {
-    let scratch = Scratch::new(name);
-    scratch.write("slider.inp", deck);
-    let run = scratch.fe(&["run", "slider.inp", "--quiet"]);
-    assert_eq!(run.status, 0, "{name}: {}\n{deck}", run.error);
-    let results = Results::open(&scratch.path("slider.vtkhdf"));
+    let results = Job::run(name, deck).results();
     let node = results.point_at([0.0; 3]);
     let last = results.times().len() - 1;
     let x = -results.point_field("U", 3, last)[3 * node + body.axis() - 1];
@@ -51,9 +44,7 @@ fn solve(name: &str, body: Body, deck: &str) -> [f64; 2] {
 }
 
 fn assert_close(what: &str, found: [f64; 2], expected: [f64; 2]) {
-    for (found, expected) in found.into_iter().zip(expected) {
-        assert!((found - expected).abs() <= ALGEBRAIC * expected.abs(), "{what}: {found}, not {expected}");
-    }
+    relative(what, found, expected, ALGEBRAIC);
 }
 
 /// On all bodies, stops and discretizations.

@@ -4,7 +4,7 @@
 mod common;
 
 use common::Scratch;
-use common::results::Results;
+use common::job::Job;
 use fe_core::element::ElementType;
 use fe_mesh::generate::Block;
 use fe_mesh::gmsh;
@@ -34,13 +34,10 @@ fn model(element: ElementType, axis: &str, pair: &str) -> String {
     )
 }
 
-fn run(name: &str, mesh: &fe_mesh::Mesh, deck: &str) -> (Results, String) {
+fn run(name: &str, mesh: &fe_mesh::Mesh, deck: &str) -> Job {
     let scratch = Scratch::new(name);
     std::fs::write(scratch.path("blocks.msh"), gmsh::write(mesh, gmsh::Encoding::Binary)).unwrap();
-    scratch.write("blocks.inp", deck);
-    let run = scratch.fe(&["run", "blocks.inp"]);
-    assert_eq!(run.status, 0, "{name}: {}\n{deck}", run.error);
-    (Results::open(&scratch.path("blocks.vtkhdf")), run.output + &run.error)
+    Job::run_in(scratch, deck)
 }
 
 const TIED: &str = "TYPE=SURFACE TO SURFACE, TIED, ADJUST=0.01";
@@ -65,7 +62,7 @@ fn a17_tied_blocks_pull() {
             model(element, axis, TIED)
         );
         // The gap of 0.005 is taken out without strain.
-        let (results, _) = run("tied_pull", &mesh(element, across, 1.005), &deck);
+        let results = run("tied_pull", &mesh(element, across, 1.005), &deck).results();
         let last = results.times().len() - 1;
         let (u, pressures) = (results.point_field("U", 3, last), results.point_field("CPRESS", 1, last));
         let top = results.point_at(if solid { [2.0, 2.0, 2.005] } else { [2.0, 2.005, 0.0] });
@@ -102,7 +99,7 @@ fn a17_tied_blocks_shear_between_supports() {
             "{}*STEP\n*STATIC\n1., 1.\n*CONTROLS, PARAMETERS=FIELD\n1e-12\n*BOUNDARY\n{held}*END STEP\n",
             model(element, axis, TIED)
         );
-        let (results, _) = run("tied_shear", &mesh, &deck);
+        let results = run("tied_shear", &mesh, &deck).results();
         let last = results.times().len() - 1;
         // Constraints beside supports may be off by 1e-6 of a facet's length of 0.5. Five of them stand for the five nodes
         // between those of 3/4; the inverse of their means of hat functions has a norm of 120, of 147 in space.
@@ -127,8 +124,10 @@ fn nodes_that_do_not_land_are_free() {
         "{}*BOUNDARY\nLOW_YMIN, 1, 2\nUP_XMIN, 1\n*STEP\n*STATIC\n1., 1.\n*DSLOAD\nUP_YMAX, P, -10.\n*END STEP\n",
         model(ElementType::CPE4, "Y", "TYPE=SURFACE TO SURFACE, TIED, ADJUST=LEFT")
     );
-    let (results, said) = run("tied_free", &mesh, &deck);
-    assert!(said.contains("2 of 5 nodes of UP_YMIN do not lie on LOW_YMAX and are free"), "{said}");
+    let job = run("tied_free", &mesh, &deck);
+    let words = "2 of 5 nodes of UP_YMIN do not lie on LOW_YMAX and are free";
+    assert!(job.told.contains(words), "{}", job.told);
+    let results = job.results();
     let pressures = results.point_field("CPRESS", 1, results.times().len() - 1);
     assert_eq!(pressures.iter().filter(|p| p.abs() > 0.0).count(), 3, "{pressures:?}");
 }

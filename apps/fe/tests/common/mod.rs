@@ -1,6 +1,7 @@
 //! What the tests of the program share: a folder to run in, and readers of what it leaves.
 #![allow(dead_code)]
 
+pub mod job;
 pub mod results;
 pub mod slider;
 

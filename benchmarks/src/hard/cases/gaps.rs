@@ -2,15 +2,11 @@
 
 use crate::hard::Scene;
 use crate::hard::finding::{Finding, from_value};
+use crate::hard::patch::{EXACT, step};
 use crate::hard::run::{Run, Solved};
 
 /// Relative bound of a discrete problem that has the closed answer.
 const ALGEBRAIC: f64 = 1e-10;
-
-/// A step in one increment, down to round-off.
-fn step(cards: &str) -> String {
-    format!("*STEP\n*STATIC\n1., 1.\n*CONTROLS, PARAMETERS=FIELD\n1e-12\n{cards}*END STEP\n")
-}
 
 /// A spring to the ground in a direction.
 fn spring(label: usize, node: usize, direction: usize, stiffness: f64) -> String {
@@ -33,7 +29,7 @@ pub fn springs() -> Vec<Scene> {
                         + &format!(
                             "*ELEMENT, TYPE=GAPUNI, ELSET=G\n13, 1, 2\n*GAP, ELSET=G\n0., 1.\n*SURFACE BEHAVIOR, {law}\n\
                              {between:e}\n*BOUNDARY\n1, 2, 3\n2, 2, 3\n{}",
-                            step("*CLOAD\n2, 1, -1.\n")
+                            step(EXACT, "*CLOAD\n2, 1, -1.\n")
                         );
                     let run = place.run("springs", &deck);
                     let (ways, all) = (1.0 / stiff + 1.0, 1.0 / stiff + 1.0 + 1.0 / between);
@@ -62,8 +58,8 @@ pub fn stops() -> Vec<Scene> {
                     + &stop("RIGHT")
                     + &stop("LEFT")
                     + &format!("*BOUNDARY\n{held}")
-                    + &step(&format!("*BOUNDARY\n1, 1, 1, {start:e}\n"))
-                    + &step(&format!("*BOUNDARY, OP=NEW\n{held}*CLOAD\n1, 1, 0.5\n"));
+                    + &step(EXACT, &format!("*BOUNDARY\n1, 1, 1, {start:e}\n"))
+                    + &step(EXACT, &format!("*BOUNDARY, OP=NEW\n{held}*CLOAD\n1, 1, 0.5\n"));
                 let run = place.run("stops", &deck);
                 Finding::converged(&run)
                     .holds(run.iterations <= 15, "it chatters")
@@ -91,7 +87,7 @@ fn tied(element: &str, line: &str, place: [f64; 3], force: f64) -> String {
         + &spring(13, 2, 3, 100.0)
         + &format!(
             "*ELEMENT, TYPE={element}, ELSET=G\n3, 1, 2\n*GAP, ELSET=G\n{line}\n*BOUNDARY\n1, 1, 3\n{}",
-            step(&format!("*CLOAD\n2, 1, {force:e}\n"))
+            step(EXACT, &format!("*CLOAD\n2, 1, {force:e}\n"))
         )
 }
 

@@ -2,6 +2,7 @@
 
 use crate::hard::Scene;
 use crate::hard::finding::{Finding, difference, from_value};
+use crate::hard::patch::{EXACT, step};
 use crate::hard::run::{Run, Solved};
 
 /// Length [L] of the beams, Young's modulus [F/L²].
@@ -9,11 +10,6 @@ const LENGTH: f64 = 1000.0;
 const YOUNG: f64 = 2.1e5;
 /// Elements of a cantilever.
 const PARTS: usize = 8;
-
-/// A step in one increment, down to round-off.
-fn step(cards: &str) -> String {
-    format!("*STEP\n*STATIC\n1., 1.\n*CONTROLS, PARAMETERS=FIELD\n1e-12\n{cards}*END STEP\n")
-}
 
 /// Nodes in a row from the origin along a direction, at z, and elements between them, labels from `first`.
 fn row(element: &str, set: &str, first: usize, (parts, [c, s]): (usize, [f64; 2])) -> String {
@@ -53,7 +49,7 @@ pub fn supported_ends() -> Vec<Scene> {
                      125, 2\n",
                     LENGTH / PARALLEL as f64
                 )
-                + &step("*DLOAD\nUP, PY, -4.\n")
+                + &step(EXACT, "*DLOAD\nUP, PY, -4.\n")
         };
         let (run, without) = (place.run("ends", &deck("FOOT")), place.run("inside", &deck("INSIDE")));
         let told = run.plans.iter().any(|plan| plan.contains("2 multipliers say") && plan.contains("101, 125"));
@@ -75,7 +71,7 @@ fn cantilever(element: &str, direction: [f64; 2], (area, inertia): (f64, f64)) -
     let deck = row(element, "BEAM", 1, (PARTS, direction))
         + &section("BEAM", area, inertia)
         + "*BOUNDARY\n1, ENCASTRE\n"
-        + &step(&format!("*CLOAD\n{0}, 1, {1:e}\n{0}, 2, {2:e}\n", PARTS + 1, -s * load, c * load));
+        + &step(EXACT, &format!("*CLOAD\n{0}, 1, {1:e}\n{0}, 2, {2:e}\n", PARTS + 1, -s * load, c * load));
     (deck, load)
 }
 
@@ -127,14 +123,14 @@ pub fn thin() -> Vec<Scene> {
         let deck = row("T3D2", "CHAIN", 1, (2, [1.0, 0.0]))
             + "*MATERIAL, NAME=M\n*ELASTIC\n2.1e5, 0.3\n*SOLID SECTION, ELSET=CHAIN, MATERIAL=M\n1.\n\
                *BOUNDARY\n1, 1, 3\n3, 1, 3\n2, 3\n"
-            + &step("*CLOAD\n2, 2, 1.\n");
+            + &step(EXACT, "*CLOAD\n2, 2, 1.\n");
         Finding::refused(&place.run("chain", &deck), &["nothing holds freedom 2 of node 2"])
     }));
     scenes.push(Scene::new("a beam free about its axis", |place| {
         let deck = row("B33", "BEAM", 1, (2, [1.0, 0.0]))
             + &section("BEAM", 400.0, 1e4)
             + "*BOUNDARY\n1, 1, 3\n3, 2, 3\n"
-            + &step("*CLOAD\n2, 2, 1000.\n");
+            + &step(EXACT, "*CLOAD\n2, 2, 1000.\n");
         Finding::refused(&place.run("free", &deck), &["nothing holds body BEAM: it is free about x"])
     }));
     scenes
