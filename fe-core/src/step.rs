@@ -1,4 +1,70 @@
-//! Time incrementation and convergence controls of a step.
+//! The procedure of a step: time incrementation and convergence controls.
+
+/// How a step goes from its start to its end.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Procedure {
+    /// `*STATIC`: equilibrium at the end of each increment.
+    Static {
+        /// Increments.
+        increments: Increments,
+        /// When an increment has converged.
+        controls: Controls,
+    },
+    /// `*DYNAMIC, EXPLICIT`: central differences in time.
+    Explicit(Explicit),
+}
+
+impl Procedure {
+    /// Step time [T].
+    pub fn period(&self) -> f64 {
+        match self {
+            Procedure::Static { increments, .. } => increments.period,
+            Procedure::Explicit(explicit) => explicit.period,
+        }
+    }
+}
+
+/// `*DYNAMIC, EXPLICIT` with `*BULK VISCOSITY`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Explicit {
+    /// Step time [T].
+    pub period: f64,
+    /// Where the size of an increment comes from.
+    pub increment: IncrementChoice,
+    /// Factor on the stable increment [-], > 0; an increment that is given stays as it is.
+    pub scale: f64,
+    /// Largest increment [T].
+    pub largest: Option<f64>,
+    /// Linear and quadratic bulk viscosity [-].
+    pub bulk_viscosity: [f64; 2],
+    /// `*STEP, NLGEOM=`.
+    pub displacements: Displacements,
+}
+
+impl Explicit {
+    /// Linear and quadratic bulk viscosity unless a deck says otherwise: Abaqus Keywords Reference, *BULK VISCOSITY.
+    pub const BULK_VISCOSITY: [f64; 2] = [0.06, 1.2];
+}
+
+/// Whether a step follows the change of geometry. Explicit steps do unless the deck says `NLGEOM=NO`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Displacements {
+    /// The geometry stays that of the mesh.
+    Small,
+    /// Forces are those of the current geometry.
+    Large,
+}
+
+/// Where the size of an explicit increment comes from.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum IncrementChoice {
+    /// The highest frequency of the whole model.
+    Global,
+    /// The highest frequency of any element by itself, which is never lower.
+    ElementByElement,
+    /// The deck, [T].
+    Fixed(f64),
+}
 
 /// `*STATIC`'s data line.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -7,7 +7,7 @@ use fe_contact::pair::PairDefinition;
 use fe_contact::tube::TubeDefinition;
 use fe_core::amplitude::Amplitude;
 use fe_core::load::{Load, Support};
-use fe_core::step::{Controls, Increments};
+use fe_core::step::Procedure;
 use fe_core::structure::Structure;
 use std::sync::Arc;
 
@@ -41,7 +41,7 @@ pub struct Model {
     pub references: Vec<u32>,
     /// Supports of the model data: they hold from the start.
     pub supports: Vec<Support>,
-    /// Steps.
+    /// Steps, all static or all explicit.
     pub steps: Vec<Step>,
     /// Remarks on the deck that do not stop the run (cards without effect here), a line each.
     pub notes: Vec<String>,
@@ -61,10 +61,8 @@ pub struct Changes<T> {
 pub struct Step {
     /// Place of `*STEP`.
     pub place: Place,
-    /// Increments of `*STATIC`.
-    pub increments: Increments,
-    /// Controls in force.
-    pub controls: Controls,
+    /// How it goes from start to end; all steps of a job are of one kind.
+    pub procedure: Procedure,
     /// `*BOUNDARY`.
     pub supports: Changes<Support>,
     /// `*CLOAD`.

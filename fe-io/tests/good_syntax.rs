@@ -2,12 +2,20 @@
 
 use fe_contact::interaction::{Enforcement, NormalBehavior, Penalty};
 use fe_contact::pair::{Adjust, Discretization};
+use fe_core::step::{Controls, Procedure};
 use fe_io::model::{Quantity, Totals};
 use fe_io::{Deck, Library, Model, resolve};
 
 fn model(text: &str) -> Model {
     let answer = Deck::from_text("test.inp", text).and_then(|deck| resolve(&deck, &Library::default()));
     answer.unwrap_or_else(|faults| panic!("{faults}"))
+}
+
+fn controls(model: &Model, step: usize) -> Controls {
+    match model.steps[step].procedure {
+        Procedure::Static { controls, .. } => controls,
+        Procedure::Explicit(_) => panic!("it is static"),
+    }
 }
 
 const PLAIN: &str = include_str!("good/plain.inp");
@@ -21,7 +29,7 @@ fn odd_spelling_means_the_same() {
     assert_eq!((plain.supports, &plain.heading), (odd.supports, &odd.heading));
     let of = |m: &Model| {
         let steps = m.steps.iter();
-        let parts = steps.map(|s| (s.increments, s.supports.clone(), s.nodal_loads.clone(), s.output.clone()));
+        let parts = steps.map(|s| (s.procedure, s.supports.clone(), s.nodal_loads.clone(), s.output.clone()));
         parts.collect::<Vec<_>>()
     };
     assert_eq!(of(&model(PLAIN)), of(&model(ODD)));
@@ -107,9 +115,9 @@ fn requests_hold_until_a_step_has_such_a_card() {
     assert_eq!(model.steps[1].output.fields.as_deref(), Some(&["U".to_owned(), "S".to_owned()][..]));
     assert_eq!(model.steps[2].output.frequency, 5);
     assert!(model.steps[1].supports.replace && !model.steps[2].supports.replace);
-    assert_eq!(model.steps[1].controls.balance, 1e-6);
-    assert_eq!(model.steps[2].controls.d_f, 0.1);
-    assert_eq!(model.steps[2].controls.balance, 1e-6);
+    assert_eq!(controls(&model, 1).balance, 1e-6);
+    assert_eq!(controls(&model, 2).d_f, 0.1);
+    assert_eq!(controls(&model, 2).balance, 1e-6);
 }
 
 /// Defaults of `*STATIC`: Abaqus Keywords Reference.
@@ -117,7 +125,7 @@ fn requests_hold_until_a_step_has_such_a_card() {
 fn static_defaults() {
     let steps = |line: &str| {
         let text = PLAIN.replace("0.25, 1.\n", line);
-        let increments = model(&text).steps[0].increments;
+        let Procedure::Static { increments, .. } = model(&text).steps[0].procedure else { panic!("it is static") };
         [increments.initial, increments.period, increments.minimum, increments.maximum]
     };
     assert_eq!(steps(""), [1.0, 1.0, 1e-5, 1.0]);

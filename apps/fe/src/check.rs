@@ -3,7 +3,7 @@
 use crate::approach::free_bodies;
 use crate::course::Course;
 use crate::fields::needs_recovery;
-use crate::job::{JobFailure, enter, scene};
+use crate::job::{JobFailure, enter, scene, static_procedure};
 use crate::plan::{Matrix, Plan};
 use crate::printed;
 use crate::recorder::chosen_fields;
@@ -18,6 +18,7 @@ use std::path::Path;
 pub fn check(deck: &Path, library: &Library) -> Result<String, JobFailure> {
     let cards = Deck::read(deck).map_err(|faults| JobFailure::Deck(faults.to_string()))?;
     let model = resolve(&cards, library).map_err(|faults| JobFailure::Deck(faults.to_string()))?;
+    model.steps.iter().try_for_each(|step| static_procedure(step).map(drop))?;
     let mut terms = Terms::new(&model).map_err(JobFailure::Deck)?;
     let mesh = &terms.structure.mesh;
     let mut text = String::new();
@@ -41,7 +42,7 @@ pub fn check(deck: &Path, library: &Library) -> Result<String, JobFailure> {
         });
         let bodies = free_bodies(&terms.structure, &terms.freedoms, &terms.bodies, &fixed, &terms.contacts);
         let plan = Plan::of(&terms, step, (&rest.u, &fixed), matrix, &bodies);
-        let _ = writeln!(text, "\nstep {}, time {}\n{plan}", index + 1, step.increments.period);
+        let _ = writeln!(text, "\nstep {}, time {}\n{plan}", index + 1, step.procedure.period());
     }
     Ok(text)
 }

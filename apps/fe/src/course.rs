@@ -56,7 +56,7 @@ impl Course {
         let amplitudes = &self.amplitudes;
         self.nodal = change(std::mem::take(&mut self.nodal), &step.nodal_loads, amplitudes);
         self.distributed = change(std::mem::take(&mut self.distributed), &step.distributed_loads, amplitudes);
-        self.end = (step.increments.period, at.total_time + step.increments.period, step.increments.period);
+        self.end = (step.procedure.period(), at.total_time + step.procedure.period(), step.procedure.period());
     }
 
     /// Forces [F], by freedom, that ramp to zero over the step just entered.

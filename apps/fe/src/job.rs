@@ -18,7 +18,7 @@ use fe_core::linear::multifrontal::Multifrontal;
 use fe_core::procedure::static_general::StaticGeneral;
 use fe_core::procedure::system::Scene;
 use fe_core::procedure::{Converged, Procedure};
-use fe_core::step::Increments;
+use fe_core::step::{self, Controls, Increments};
 use fe_io::model::Step;
 use fe_io::{Deck, Library, Model, resolve};
 use std::path::{Path, PathBuf};
@@ -89,6 +89,7 @@ fn spare_sources(job: &Path, cards: &Deck) -> Result<(), JobFailure> {
 /// Runs a model; results are named after `job`, with other endings. `read` are the seconds spent on reading.
 pub fn run_model(model: &Model, job: &Path, read: f64, observer: &mut dyn Observer) -> Result<Report, JobFailure> {
     let start = Instant::now();
+    model.steps.iter().try_for_each(|step| static_procedure(step).map(drop))?;
     let mut terms = Terms::new(model).map_err(JobFailure::Deck)?;
     model.notes.iter().chain(&terms.notes).for_each(|note| observer.event(Event::Note(note)));
     let mut recorder = Recorder::create(job, model, &terms)?;
@@ -108,6 +109,19 @@ pub fn run_model(model: &Model, job: &Path, read: f64, observer: &mut dyn Observ
     closed?;
     observer.event(Event::Done(&certificate));
     Ok(Report { certificate, last: at, results })
+}
+
+/// Increments and controls of a static step; a step of another kind is refused.
+pub fn static_procedure(step: &Step) -> Result<(Increments, Controls), JobFailure> {
+    match step.procedure {
+        step::Procedure::Static { increments, controls } => Ok((increments, controls)),
+        step::Procedure::Explicit(_) => {
+            let fe_io::model::Place { file, line } = &step.place;
+            Err(JobFailure::Deck(format!(
+                "error: explicit steps are not there yet\n --> {file}:{line}\nhelp: static steps are there: `*STATIC`"
+            )))
+        }
+    }
 }
 
 /// All steps, one after the other; `at` is the last converged state, also where a step fails.
@@ -138,21 +152,22 @@ struct StepRun<'a, 'o> {
 
 impl StepRun<'_, '_> {
     fn run(&mut self, course: &Course, at: &mut Converged, certificate: &mut RunCertificate) -> Result<(), JobFailure> {
+        let (increments, controls) = static_procedure(self.step)?;
         let scene = scene(self.terms, self.step, course)?;
         let fixed = course.fixed(at.u.len());
         let free =
             free_bodies(&self.terms.structure, &self.terms.freedoms, &self.terms.bodies, &fixed, &self.terms.contacts);
         at.step_time = 0.0;
-        self.bring_into_contact(&free, &scene, at)?;
+        self.bring_into_contact(&free, (&scene, increments), at)?;
         self.must_not_contradict(&scene, at, &fixed)?;
         let solver = Box::new(Multifrontal::default());
-        let mut procedure = StaticGeneral::new(scene, self.step.controls, solver)
+        let mut procedure = StaticGeneral::new(scene, controls, solver)
             .map_err(|reject| self.failure(0.0, explain(&reject, self.terms), help(&reject)))?;
         let matrix = procedure.pattern().zip(procedure.cost()).map(|(pattern, cost)| Matrix::of(pattern, cost));
         let plan = Plan::of(self.terms, self.step, (&at.u, &fixed), matrix, &free);
-        let period = self.step.increments.period;
+        let period = increments.period;
         self.observer.event(Event::Step { number: self.number, plan: &plan, period });
-        let mut size = IncrementSize::new(self.step.increments, self.step.controls);
+        let mut size = IncrementSize::new(increments, controls);
         let ended = self.increments(&mut size, &mut procedure, at, (&fixed, &free), certificate);
         certificate.seconds.procedure += procedure.seconds();
         certificate.factorisations += procedure.factorisations();
@@ -234,7 +249,12 @@ impl StepRun<'_, '_> {
     }
 
     /// Bodies held by contact alone are moved, without strain, until they touch.
-    fn bring_into_contact(&mut self, free: &[FreeBody], scene: &Scene, at: &mut Converged) -> Result<(), JobFailure> {
+    fn bring_into_contact(
+        &mut self,
+        free: &[FreeBody],
+        (scene, increments): (&Scene, Increments),
+        at: &mut Converged,
+    ) -> Result<(), JobFailure> {
         let terms = self.terms;
         let name = |body: &FreeBody| terms.body_name(&terms.bodies[body.body]);
         let words = |body: &FreeBody, m: &RigidMotion| in_words(m, terms.bodies[body.body].size);
@@ -248,7 +268,7 @@ impl StepRun<'_, '_> {
             return Ok(());
         }
         // The loads at the end, or where an amplitude has taken them away by then, at first.
-        let Increments { period, initial, .. } = self.step.increments;
+        let Increments { period, initial, .. } = increments;
         let loads = |time: f64| scene.external.at(time, at.total_time + time, period, at.u.len());
         let mut external = loads(period);
         if external.iter().all(|f| *f == 0.0) {
@@ -360,7 +380,7 @@ pub fn scene<'a>(terms: &'a Terms, step: &Step, course: &Course) -> Result<Scene
         terms: terms.all(),
         external,
         prescribed: course.prescribed(),
-        period: step.increments.period,
+        period: step.procedure.period(),
     })
 }
 

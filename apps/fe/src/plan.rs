@@ -11,6 +11,7 @@ use fe_contact::viscous::Damping;
 use fe_core::element::{ElementType, Family};
 use fe_core::linear::Cost;
 use fe_core::matrix::Pattern;
+use fe_core::step::Procedure;
 use fe_core::term::Term;
 use fe_io::model::Step;
 use std::fmt;
@@ -73,6 +74,17 @@ impl Matrix {
     }
 }
 
+/// The procedure of a step.
+fn procedure_in_words(procedure: &Procedure) -> String {
+    match procedure {
+        Procedure::Static { increments: i, .. } => {
+            let kind = if i.fixed { "fixed" } else { "automatic" };
+            format!("static, {kind} increments from {} of {}", i.initial, i.period)
+        }
+        Procedure::Explicit(explicit) => format!("explicit, for {}", explicit.period),
+    }
+}
+
 impl Plan {
     /// Of a step that begins at a displacement `u` with some freedoms prescribed; `matrix` where there is one.
     pub fn of(
@@ -86,9 +98,7 @@ impl Plan {
         let prescribed = fixed.iter().filter(|f| **f).count();
         let unknowns = freedoms.len() - prescribed;
         let mut needs = Vec::new();
-        let i = step.increments;
-        let kind = if i.fixed { "fixed" } else { "automatic" };
-        needs.push(("procedure".into(), format!("static, {kind} increments from {} of {}", i.initial, i.period)));
+        needs.push(("procedure".into(), procedure_in_words(&step.procedure)));
         for section in &terms.structure.sections {
             let material = &terms.structure.materials[section.material];
             let (count, element) = (section.cells.len(), section.element.name());

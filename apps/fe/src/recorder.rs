@@ -123,7 +123,7 @@ impl Recorder {
     /// A converged increment: its histories, its frame where the step asks for one, its tables.
     pub fn increment(&mut self, terms: &Terms, step: &Step, now: &Increment) -> Result<(), ResultsError> {
         let start = Instant::now();
-        let last = now.attempt.step_time >= step.increments.period;
+        let last = now.attempt.step_time >= step.procedure.period();
         let due = |frequency: usize| last || (frequency > 0 && now.attempt.increment.is_multiple_of(frequency));
         let stored = due(step.output.frequency);
         let tables: Vec<_> = step.output.tables.iter().filter(|table| due(table.frequency)).collect();

@@ -110,7 +110,7 @@ impl Terms {
             if contact.acts() && conditions.activity == Activity::Removed {
                 released.extend(contact.force(&at.u, history));
             }
-            contact.enter(conditions, (at.total_time, step.increments.period), history);
+            contact.enter(conditions, (at.total_time, step.procedure.period()), history);
         }
         released
     }

@@ -7,7 +7,7 @@ use common::Scratch;
 use common::results::Results;
 use fe::approach::free_bodies;
 use fe::course::Course;
-use fe::job::{enter, scene};
+use fe::job::{enter, scene, static_procedure};
 use fe::terms::Terms;
 use fe_core::linear::multifrontal::Multifrontal;
 use fe_core::procedure::static_general::StaticGeneral;
@@ -89,7 +89,9 @@ fn begun(name: &str) -> Begun {
     let scene = scene(&terms, &model.steps[0], &course).unwrap();
     let fixed: Vec<bool> = scene.free().iter().map(|f| !f).collect();
     let free = free_bodies(&terms.structure, &terms.freedoms, &terms.bodies, &fixed, &terms.contacts).len();
-    let procedure = StaticGeneral::new(scene, model.steps[0].controls, Box::<Multifrontal>::default()).unwrap();
+    let procedure =
+        StaticGeneral::new(scene, static_procedure(&model.steps[0]).unwrap().1, Box::<Multifrontal>::default())
+            .unwrap();
     assert_eq!(terms.contacts.capacity() == 0, terms.contacts.is_empty(), "{name}: no storage without pairs");
     Begun {
         searched: terms.contacts.iter().map(|pair| pair.summary().searched).collect(),

@@ -1,7 +1,7 @@
 //! Cards that decks know and this program does not: refused by name, with what there is instead.
 
 /// Instead of another procedure.
-pub(crate) const STATIC: &str = "static steps are there: `*STATIC`";
+pub(crate) const STATIC: &str = "static steps, `*STATIC`, and explicit ones, `*DYNAMIC, EXPLICIT`, are there";
 const ELASTIC: &str = "isotropic elasticity is there: `*ELASTIC`";
 const PAIR: &str = "pairs of surfaces are there: `*CONTACT PAIR`";
 const SOLIDS: &str =
@@ -18,7 +18,6 @@ const GLOBAL: &str = "coordinates and directions are those of the global axes";
 pub(super) const CARDS: &[(&[&str], &str)] = &[
     (
         &[
-            "DYNAMIC",
             "FREQUENCY",
             "BUCKLE",
             "VISCO",
@@ -42,7 +41,6 @@ pub(super) const CARDS: &[(&[&str], &str)] = &[
             "SOILS",
             "STEADY STATE TRANSPORT",
             "BASE MOTION",
-            "BULK VISCOSITY",
             "FIXED MASS SCALING",
             "VARIABLE MASS SCALING",
             "GLOBAL DAMPING",

@@ -3,14 +3,14 @@ use super::{Choice, Data, Keyword, Kind, Level, Parameter};
 pub const STEP: Keyword = Keyword {
     name: "STEP",
     level: Level::Model,
-    summary: "begins a step; *STATIC follows",
+    summary: "begins a step; *STATIC or *DYNAMIC follows",
     parameters: &[
-        Parameter::of("INC", Kind::Whole, "most increments, 100 without it"),
+        Parameter::of("INC", Kind::Whole, "most increments of a static step, 100 without it"),
         Parameter::of("NAME", Kind::Text, "name of the step"),
         Parameter::of(
             "NLGEOM",
-            Kind::OptionalChoice(&[Choice::not_yet("YES", LINEAR), Choice::there("NO")]),
-            "NO (default): displacements are small",
+            Kind::OptionalChoice(&[Choice::there("YES"), Choice::there("NO")]),
+            "NO (default of static steps, where there is no other yet): displacements are small; YES (default of explicit steps): the geometry follows them",
         ),
         Parameter::choice(
             "CONVERT SDI",
@@ -20,7 +20,7 @@ pub const STEP: Keyword = Keyword {
         Parameter::choice(
             "AMPLITUDE",
             &[Choice::there("RAMP"), Choice::not_yet("STEP", "give the loads an amplitude of 1 throughout")],
-            "RAMP (default): loads without an amplitude grow over the step",
+            "RAMP (default): loads without an amplitude grow over a static step; in explicit steps they act in full from the start",
         ),
         Parameter::not_yet("PERTURBATION", "say `*STEP`: without NLGEOM and contact one increment is linear"),
         Parameter::idle("UNSYMM", "the stiffness is symmetric"),
@@ -30,8 +30,6 @@ pub const STEP: Keyword = Keyword {
     data: Data::Text("a remark"),
     source: "Abaqus Keywords Reference, *STEP",
 };
-
-pub const LINEAR: &str = "displacements are small: say `NLGEOM=NO` or leave it out";
 
 pub const END_STEP: Keyword = Keyword {
     name: "END STEP",

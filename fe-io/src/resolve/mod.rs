@@ -29,6 +29,7 @@ mod nodes;
 mod once;
 mod pairs;
 mod parts;
+mod procedures;
 mod quality;
 mod requests;
 mod rigid;
@@ -75,6 +76,7 @@ pub fn resolve(deck: &Deck, library: &Library) -> Result<Model, Diagnostics> {
     let mut diagnostics = Diagnostics::new(deck.sources.clone());
     let written = check(deck, &library.laws, &mut diagnostics);
     let mut scene = Scene::new(deck);
+    scene.analysis = procedures::analysis(&written);
     let entries = parts::placed(&written, &mut scene, &mut diagnostics);
     let mut tubes = Tubes::default();
     bodies(&entries, (&mut scene, &mut tubes), &mut diagnostics);

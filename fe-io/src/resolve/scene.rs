@@ -9,6 +9,16 @@ use fe_core::structure::Structure;
 use fe_mesh::{CellBlock, CellId};
 use std::collections::{BTreeMap, BTreeSet};
 
+/// What kind of steps a job has.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Analysis {
+    /// `*STATIC`.
+    #[default]
+    Static,
+    /// `*DYNAMIC, EXPLICIT`.
+    Explicit,
+}
+
 /// A surface by its name.
 #[derive(Debug)]
 pub enum Surface {
@@ -28,6 +38,8 @@ pub enum Surface {
 pub struct Scene<'a> {
     /// The deck.
     pub deck: &'a Deck,
+    /// Kind of its steps.
+    pub analysis: Analysis,
     /// Bodies.
     pub structure: Structure,
     /// Labels and names: of the model itself first, then of each instance of the mesh.
@@ -63,6 +75,7 @@ impl<'a> Scene<'a> {
     pub fn new(deck: &'a Deck) -> Self {
         Scene {
             deck,
+            analysis: Analysis::default(),
             structure: Structure::default(),
             scopes: vec![Scope::default()],
             reading: 0,

@@ -2,9 +2,9 @@
 
 use super::amplitudes::Amplitudes;
 use super::requests::Requests;
-use super::scene::Scene;
+use super::scene::{Analysis, Scene};
 use super::supports::Supports;
-use super::{conditions, controls, loads};
+use super::{conditions, controls, loads, procedures};
 use crate::deck::source::Span;
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::keyword::check::Entry;
@@ -12,17 +12,31 @@ use crate::keyword::{self, Known};
 use crate::model::{Changes, Place, Step};
 use fe_contact::pair::PairDefinition;
 use fe_core::load::{Load, Support};
-use fe_core::step::{Controls, Increments};
+use fe_core::step::{Controls, Explicit, Procedure};
 
 /// `*STEP, INC=` unless the deck says otherwise.
 const MOST_INCREMENTS: usize = 100;
 
 /// What steps hand on to later ones.
-#[derive(Default)]
 pub struct InForce {
     controls: Controls,
+    bulk_viscosity: [f64; 2],
+    /// Kind and place of the first procedure.
+    first: Option<(Analysis, Span)>,
     requests: Requests,
     conditions: conditions::InForce,
+}
+
+impl Default for InForce {
+    fn default() -> Self {
+        InForce {
+            controls: Controls::default(),
+            bulk_viscosity: Explicit::BULK_VISCOSITY,
+            first: None,
+            requests: Requests::default(),
+            conditions: conditions::InForce::default(),
+        }
+    }
 }
 
 /// What steps refer to.
@@ -49,21 +63,21 @@ pub fn read(
     if let Some(convert) = first.name("CONVERT SDI") {
         in_force.controls.convert_sdi = convert == "YES";
     }
-    let most = first.whole("INC").map_or(MOST_INCREMENTS, |n| n as usize);
-    if most == 0 {
-        diagnostics.push(Diagnostic::error(first.card.span, "`INC` of `*STEP` must be at least 1"));
-    }
-    let mut increments: Option<(Option<Increments>, Span)> = None;
+    let mut procedure: Option<(Option<Procedure>, Span)> = None;
     let mut supports = Supports::default();
     let mut loads = [Vec::new(), Vec::new()];
     for entry in rest {
         match entry.keyword.name {
-            "STATIC" => {
-                let read = controls::increments(entry, most, scene.deck, diagnostics);
-                if let Some((_, other)) = increments.replace((read, entry.card.span)) {
-                    let fault = Diagnostic::error(entry.card.span, "a step has one `*STATIC`");
+            "STATIC" | "DYNAMIC" => {
+                let read = in_force.procedure(first, entry, scene, diagnostics);
+                if let Some((_, other)) = procedure.replace((read, entry.card.span)) {
+                    let fault = Diagnostic::error(entry.card.span, "a step has one procedure");
                     diagnostics.push(fault.related(other, "the first one"));
                 }
+            }
+            name if !suits(name, entry, scene.analysis, diagnostics) => {}
+            "BULK VISCOSITY" => {
+                procedures::bulk_viscosity(entry, scene.deck, &mut in_force.bulk_viscosity, diagnostics);
             }
             "CONTROLS" => controls::read(entry, scene.deck, &mut in_force.controls, diagnostics),
             "MODEL CHANGE" => in_force.conditions.change(entry, scene, named.pairs, diagnostics),
@@ -78,18 +92,18 @@ pub fn read(
             _ => {}
         }
     }
-    if increments.is_none() && !other_procedure(first, scene) {
+    if procedure.is_none() && !other_procedure(first, scene) {
         let fault = Diagnostic::error(first.card.span, "this step has no procedure");
-        diagnostics.push(fault.help("say `*STATIC` after `*STEP`"));
+        diagnostics.push(fault.help("say `*STATIC` or `*DYNAMIC, EXPLICIT` after `*STEP`"));
     }
-    if let Some((Some(increments), _)) = &increments {
-        in_force.conditions.end_step(increments.period);
+    let procedure = procedure.and_then(|(procedure, _)| procedure).map(|procedure| in_force.finish(procedure));
+    if let Some(procedure) = &procedure {
+        in_force.conditions.end_step(procedure.period());
     }
     let [nodal_loads, distributed_loads] = loads;
     Some(Step {
         place: scene.deck.sources[first.card.span.source as usize].place(first.card.span.start),
-        increments: increments?.0?,
-        controls: in_force.controls,
+        procedure: procedure?,
         supports: Changes::<Support> { replace: replaces(rest, &["BOUNDARY"], diagnostics), items: supports.items },
         nodal_loads: Changes::<Load> { replace: replaces(rest, &["CLOAD"], diagnostics), items: nodal_loads },
         distributed_loads: Changes::<Load> {
@@ -99,6 +113,76 @@ pub fn read(
         conditions: in_force.conditions.conditions(),
         output: in_force.requests.in_force(),
     })
+}
+
+impl InForce {
+    /// Reads `*STATIC` or `*DYNAMIC` of a step; `None` when it is refused, which was told.
+    fn procedure(
+        &mut self,
+        step: &Entry<'_>,
+        entry: &Entry<'_>,
+        scene: &Scene<'_>,
+        diagnostics: &mut Diagnostics,
+    ) -> Option<Procedure> {
+        let most = step.whole("INC").map_or(MOST_INCREMENTS, |n| n as usize);
+        if most == 0 {
+            diagnostics.push(Diagnostic::error(step.card.span, "`INC` of `*STEP` must be at least 1"));
+        }
+        let at = entry.card.span;
+        let kind = if entry.keyword.name == "DYNAMIC" { Analysis::Explicit } else { Analysis::Static };
+        let (first, other) = *self.first.get_or_insert((kind, at));
+        if first != kind {
+            let words = |kind| if kind == Analysis::Static { "static" } else { "dynamic" };
+            let fault = Diagnostic::error(at, "all steps of a job are of one kind");
+            let fault = fault.label(format!("this step is {}", words(kind)));
+            diagnostics.push(fault.related(other, format!("this one is {}", words(first))).help("write two jobs"));
+        }
+        if kind == Analysis::Explicit {
+            return procedures::explicit(entry, step, scene.deck, diagnostics).map(Procedure::Explicit);
+        }
+        if let Some(large) = step.parameter("NLGEOM").filter(|_| !step.says("NLGEOM", "NO")) {
+            let fault = Diagnostic::error(large.span, "`NLGEOM` of `*STEP` is not there yet in static steps");
+            diagnostics.push(fault.help("displacements are small: say `NLGEOM=NO` or leave it out"));
+        }
+        let increments = controls::increments(entry, most, scene.deck, diagnostics)?;
+        Some(Procedure::Static { increments, controls: self.controls })
+    }
+
+    /// The procedure with what the step's other cards say of it.
+    fn finish(&self, procedure: Procedure) -> Procedure {
+        match procedure {
+            Procedure::Static { increments, .. } => Procedure::Static { increments, controls: self.controls },
+            Procedure::Explicit(explicit) => {
+                Procedure::Explicit(Explicit { bulk_viscosity: self.bulk_viscosity, ..explicit })
+            }
+        }
+    }
+}
+
+/// Cards without effect in one kind of steps, and why.
+const IDLE: &[(&str, Analysis, &str)] = &[
+    ("CONTROLS", Analysis::Explicit, "explicit increments do not iterate"),
+    ("BULK VISCOSITY", Analysis::Static, "nothing moves at a speed"),
+];
+
+/// Cards for static steps alone, and what there is instead.
+const STATIC: &[(&str, &str)] = &[
+    ("MODEL CHANGE", "`*CONTACT PAIR, OP=DELETE` in the step takes a pair away"),
+    ("CONTACT INTERFERENCE", "overlaps of the first step are taken out by moving nodes, without strain"),
+];
+
+/// True when a card has a meaning in steps of this kind; what has none is told.
+fn suits(name: &str, entry: &Entry<'_>, analysis: Analysis, diagnostics: &mut Diagnostics) -> bool {
+    if let Some((.., why)) = IDLE.iter().find(|(idle, kind, _)| *idle == name && *kind == analysis) {
+        diagnostics.push(Diagnostic::note(entry.card.span, format!("`*{name}` has no effect")).label(*why));
+        return false;
+    }
+    if let Some((_, instead)) = STATIC.iter().find(|(known, _)| *known == name && analysis == Analysis::Explicit) {
+        let fault = Diagnostic::error(entry.card.span, format!("`*{name}` is for static steps"));
+        diagnostics.push(fault.help(*instead));
+        return false;
+    }
+    true
 }
 
 /// True when the cards of these names say `OP=NEW`: all of them or none.
