@@ -9,7 +9,7 @@ use std::collections::{BTreeMap, BTreeSet};
 /// constraints that meshes bring about.
 const NOTHING: f64 = 1e-10;
 
-/// A touching point with a multiplier whose constraint depends on those before it and on the supports.
+/// A multiplier of a touching point whose constraint depends on those before it and on the supports.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Redundant {
     /// Index of the contact.
@@ -18,8 +18,9 @@ pub struct Redundant {
     pub node: u32,
 }
 
-/// The redundant points among those that touch at `u`; `fixed` tells the prescribed freedoms. Only points can be redundant
-/// that have a prescribed freedom, or a node that is secondary in another contact, too.
+/// The redundant multipliers of the points that touch at `u`; `fixed` tells the prescribed freedoms. Only points can be redundant
+/// that have a prescribed freedom, or a node that is secondary in another contact, too; means over faces that depend on each
+/// other far from a support are not looked for.
 pub fn redundant(contacts: &[Contact], u: &[f64], fixed: &[bool]) -> Vec<Redundant> {
     let mut secondary: BTreeMap<u32, BTreeSet<usize>> = BTreeMap::new();
     // The overclosure of a softened law says how much each point presses.
@@ -35,16 +36,32 @@ pub fn redundant(contacts: &[Contact], u: &[f64], fixed: &[bool]) -> Vec<Redunda
             if contact.opening_at_start(i, u) > contact.law.reach() + contact.touch {
                 continue;
             }
-            let here = contact.at(i, u);
-            let freedoms = contact.places[i].iter().cloned().flatten();
-            let row: Vec<(usize, f64)> = freedoms.zip(here.row.iter().copied()).filter(|d| d.1 != 0.0).collect();
-            let suspect = row.iter().any(|d| fixed[d.0]) || point.nodes.iter().any(elsewhere);
-            if suspect && !eliminated.takes(row, fixed) {
-                found.push(Redundant { contact: k, node: point.node });
+            let shared = point.nodes.iter().any(elsewhere);
+            for row in contact.rows_of_multipliers(i, u) {
+                let suspect = shared || row.iter().any(|d| fixed[d.0]);
+                if suspect && !eliminated.takes(row, fixed) {
+                    found.push(Redundant { contact: k, node: point.node });
+                }
             }
         }
     }
     found
+}
+
+impl Contact {
+    /// What the multipliers of a touching point hold, each with its freedoms: the gap, and what is tied along the surface.
+    fn rows_of_multipliers(&self, point: usize, u: &[f64]) -> Vec<Vec<(usize, f64)>> {
+        let (p, places) = (&self.points[point], &self.places[point]);
+        let slide = p.slide_from(u, places).filter(|_| self.is_tied());
+        let normal = self.at(point, u).row;
+        let rows =
+            std::iter::once(&normal[..]).chain(slide.iter().flat_map(|slide| slide.rows.iter().map(Vec::as_slice)));
+        let with_freedoms = |row: &[f64]| {
+            let freedoms = places.iter().cloned().flatten();
+            freedoms.zip(row.iter().copied()).filter(|d| d.1 != 0.0).collect::<Vec<_>>()
+        };
+        rows.map(with_freedoms).filter(|row| !row.is_empty()).collect()
+    }
 }
 
 /// A point with a multiplier that supports hold inside the other body.

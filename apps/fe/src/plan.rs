@@ -164,9 +164,10 @@ impl Plan {
 /// Multipliers that others, or supports, make superfluous.
 fn over_constraint(terms: &Terms, u: &[f64], fixed: &[bool]) -> Option<String> {
     let found = redundant(&terms.contacts, u, fixed);
-    let labels = found.iter().map(|r| terms.structure.mesh.point_name(r.node));
-    let shown: Vec<String> = labels.take(SHOWN).collect();
-    let more = if found.len() > SHOWN { ", …" } else { "" };
+    let mut labels: Vec<String> = found.iter().map(|r| terms.structure.mesh.point_name(r.node)).collect();
+    labels.dedup();
+    let shown = &labels[..labels.len().min(SHOWN)];
+    let more = if labels.len() > SHOWN { ", …" } else { "" };
     let words = "say at touch what supports or other multipliers say, and share their force";
     (!found.is_empty()).then(|| format!("{} multipliers {words}: nodes {}{more}", found.len(), shown.join(", ")))
 }

@@ -79,7 +79,7 @@ fn on_supports(at: f64, behavior: &str) -> String {
 }
 
 /// Half of an elastic layer on a rigid flat under a force in its middle, A31 at h = 1/16, edges growing beyond x = 1.5.
-fn layer(kind: &str) -> String {
+pub fn layer(kind: &str) -> String {
     let along = Grading::new(1.0 / 16.0, 1.5, 6.0, 1.25);
     let mesh = Block::quad4([along.cells(), 16]).mapped(|[s, t, _]| [along.at(s), t, 0.0]);
     let loaded = mesh.points.iter().position(|p| p[0] == 0.0 && p[1] == 1.0);

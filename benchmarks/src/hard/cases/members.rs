@@ -86,6 +86,11 @@ fn tip(solved: &Solved, [c, s]: [f64; 2]) -> f64 {
     solved.displacement(PARTS as u64 + 1).map_or(f64::NAN, |u| c * u[1] - s * u[0])
 }
 
+/// Scenes of D12.
+pub fn snapping() -> Vec<Scene> {
+    ["by displacement", "by load"].map(|way| Scene::waits(format!("two-bar truss {way}"), "NLGEOM")).into()
+}
+
 /// Scenes of D28.
 pub fn thin() -> Vec<Scene> {
     let mut scenes = Vec::new();

@@ -16,6 +16,7 @@ mod overclosure;
 mod overconstraint;
 mod stiffness;
 mod surfaces;
+mod tubes;
 mod units;
 mod wrong_side;
 
@@ -33,6 +34,7 @@ pub const CASES: &[Case] = &[
     Case { id: "D09", name: "edges_and_vertices", scenes: edges::scenes },
     Case { id: "D10", name: "tiny_c0", scenes: laws::tiny_clearance },
     Case { id: "D11", name: "odd_laws", scenes: laws::odd },
+    Case { id: "D12", name: "snap_through", scenes: members::snapping },
     Case { id: "D13", name: "face_forces", scenes: surfaces::face_forces },
     Case { id: "D15", name: "units", scenes: units::scenes },
     Case { id: "D16", name: "offset", scenes: moved::offset },
@@ -40,6 +42,7 @@ pub const CASES: &[Case] = &[
     Case { id: "D18", name: "chattering", scenes: lost::chattering },
     Case { id: "D19", name: "conforming_faces", scenes: flush::scenes },
     Case { id: "D22", name: "no_contact_or_lost", scenes: lost::none_or_lost },
+    Case { id: "D23", name: "thin_itt", scenes: tubes::thin },
     Case { id: "D24", name: "no_separation", scenes: stiffness::no_separation },
     Case { id: "D27", name: "bad_elements", scenes: elements::bad },
     Case { id: "D28", name: "thin_beams", scenes: members::thin },

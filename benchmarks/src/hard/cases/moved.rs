@@ -1,5 +1,6 @@
 //! D16 and D17: scenes far from the origin, and scenes that are turned.
 
+use super::tubes::{self, Pipes};
 use crate::hard::Scene;
 use crate::hard::ball::{self, Ball};
 use crate::hard::deck::{self, Order};
@@ -48,41 +49,10 @@ pub fn offset() -> Vec<Scene> {
             moved(place, (EXACT_SHIFT, 1e-9), &|by| patch.pressed(&shifted(&patch, by, true), Order::AsMade))
         }));
     }
-    scenes.push(Scene::new("A07 pipe in pipe, moved by 2^20", |place| moved(place, (EXACT_SHIFT, 1e-9), &pipes)));
+    scenes.push(Scene::new("A07 pipe in pipe, moved by 2^20", |place| {
+        moved(place, (EXACT_SHIFT, 1e-9), &|by| tubes::pipes(&Pipes { by, ..Pipes::default() }))
+    }));
     scenes
-}
-
-/// A07: two cantilever pipes in each other along x, ten beams each, the inner one pressed against the outer one at its
-/// tip.
-fn pipes(by: f64) -> String {
-    let (mut nodes, mut inner, mut outer, mut line) = (String::new(), String::new(), String::new(), Vec::new());
-    for i in 0..=10 {
-        let x = 100.0 * f64::from(i) + by;
-        nodes += &format!("{}, {x:e}, {by:e}, {by:e}\n{}, {x:e}, {by:e}, {by:e}\n", i + 1, i + 101);
-        line.push((i + 101).to_string());
-        if i > 0 {
-            inner += &format!("{i}, {i}, {}\n", i + 1);
-            outer += &format!("{}, {}, {}\n", i + 100, i + 100, i + 101);
-        }
-    }
-    let section = |set: &str, [outside, inside]: [f64; 2]| {
-        let [area, second] = [2, 4].map(|n| std::f64::consts::PI * (outside.powi(n) - inside.powi(n)));
-        let (area, second) = (area / 4.0, second / 64.0);
-        format!(
-            "*BEAM GENERAL SECTION, ELSET={set}, SECTION=GENERAL\n{area:e}, {second:e}, 0., {second:e}, {:e}\n\
-             0., 0., 1.\n210000., 80769.\n",
-            2.0 * second
-        )
-    };
-    format!(
-        "*NODE\n{nodes}*ELEMENT, TYPE=B33, ELSET=INNER\n{inner}*ELEMENT, TYPE=B33, ELSET=OUTER\n{outer}{}{}\
-         *ELEMENT, TYPE=ITT31, ELSET=TUBES\n201, 11\n*INTERFACE, ELSET=TUBES\n3.\n\
-         *SLIDE LINE, ELSET=TUBES, TYPE=LINEAR\n{}\n*BOUNDARY\n1, 1, 6\n101, 1, 6\n{}",
-        section("INNER", [44.0, 36.0]),
-        section("OUTER", [60.0, 50.0]),
-        line.join(", "),
-        patch::step(patch::EXACT, "*CLOAD\n11, 2, -2000.\n")
-    )
 }
 
 /// The held patch moved by so much.

@@ -2,6 +2,7 @@
 
 use super::gaps;
 use crate::hard::Scene;
+use crate::hard::ball::{self, Ball};
 use crate::hard::deck::{self, Order};
 use crate::hard::finding::{Finding, from_value};
 use crate::hard::patch::{self, EXACT, PRESSURE, Patch};
@@ -63,8 +64,21 @@ pub fn penalties() -> Vec<Scene> {
             let warned = run.told(&["warning", "not hard"]);
             Finding::converged(&run).holds(warned == (exponent < 0), format!("warned: {:?}", run.notes))
         }));
+        scenes.push(ball_on_flat(exponent));
     }
     scenes
+}
+
+/// The ball pushed onto its flat. A penalty is soft where it gives way by more than a hundredth of an element.
+fn ball_on_flat(exponent: i32) -> Scene {
+    let scene = Scene::new(format!("ball, 1e{exponent} of the default penalty"), move |place| {
+        let behavior = format!("*SURFACE BEHAVIOR, PENALTY\n,, 1e{exponent}\n");
+        let deck = Ball::default().deck(&ball::mesh()).replace("*SURFACE BEHAVIOR, PENALTY\n", &behavior);
+        let run = place.run("ball", &deck);
+        let warned = run.told(&["warning", "not hard"]);
+        Finding::converged(&run).holds(warned == (exponent < 0), format!("warned: {:?}", run.notes))
+    });
+    scene.slow()
 }
 
 /// Hertz's line contact with eight elements along half the contact width.
