@@ -2,6 +2,7 @@
 
 use crate::carry::Carried;
 use crate::contact::Contact;
+use crate::friction::change::Change;
 use crate::interference::{Allowance, Interference};
 use crate::law::NormalLaw;
 use crate::viscous::Stabilization;
@@ -15,6 +16,8 @@ pub struct Conditions {
     pub interference: Option<Interference>,
     /// How hard contact is enforced otherwise.
     pub overrides: Overrides,
+    /// What becomes of its friction; `None`: it stays as it is.
+    pub friction: Option<Change>,
     /// What resists its motion.
     pub stabilization: Option<Stabilization>,
 }
@@ -69,10 +72,11 @@ pub enum Activity {
 }
 
 impl Contact {
-    /// Enters a step of which the conditions hold; `time` is the total one [T] at its start, and its period [T]. `history` is
-    /// the contact's, and becomes what the step starts with.
-    pub fn enter(&mut self, conditions: &Conditions, time: (f64, f64), history: &mut Vec<f64>) {
+    /// Enters a step of which the conditions hold, at a displacement; `time` is the total one [T] at its start, and its
+    /// period [T]. `history` is the contact's, and becomes what the step starts with.
+    pub fn enter(&mut self, conditions: &Conditions, time: (f64, f64), u: &[f64], history: &mut Vec<f64>) {
         let taken = self.taken(history);
+        self.change_friction(conditions.friction.as_ref(), time, u, history);
         self.activity = conditions.activity;
         history.truncate(self.numbers());
         self.carry(conditions.overrides, history);

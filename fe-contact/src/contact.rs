@@ -106,9 +106,19 @@ impl Contact {
         self.reference.is_some()
     }
 
-    /// The law of friction; `None`: the surfaces slide freely.
+    /// The law of friction, or the one that the present step leads to; `None`: the surfaces slide freely.
     pub fn friction(&self) -> Option<&Coulomb> {
         self.tangential.as_ref().map(|t| &t.law)
+    }
+
+    /// The law of friction at the start of a step that changes it.
+    pub fn friction_before(&self) -> Option<&Coulomb> {
+        self.tangential.as_ref()?.change.as_ref().map(|change| &change.from)
+    }
+
+    /// True where there is friction at some time of the present step.
+    pub fn rubs(&self) -> bool {
+        [self.friction(), self.friction_before()].into_iter().flatten().any(|law| !law.is_none())
     }
 
     /// True for a tied pair: its points neither part nor slide.

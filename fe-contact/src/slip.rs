@@ -5,6 +5,7 @@
 
 use crate::contact::Contact;
 use crate::enforce::{Answer, Multipliers, OPEN, SLIPPING};
+use crate::friction::change::Changing;
 use crate::friction::{Coulomb, Shear, Sliding};
 use crate::point::{ContactPoint, ContactStatus, Slide};
 use fe_core::Motion;
@@ -15,15 +16,17 @@ use std::ops::Range;
 /// A law of friction and what stands on top of it.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Tangential {
-    /// The law.
+    /// The law, or the one that a change leads to.
     pub law: Coulomb,
+    /// How the present step changes it.
+    pub change: Option<Changing>,
     /// Multipliers, where sticking points do not move.
     pub multipliers: Option<Multipliers>,
 }
 
 /// Where the numbers of a point stand in its part of the history: elastic slip, slip while closed, shear, and the sum of
 /// all shifts by multipliers.
-const ELASTIC: usize = 0;
+pub(crate) const ELASTIC: usize = 0;
 const SLIP: usize = 2;
 const SHEAR: usize = 4;
 const SHIFT: usize = 6;
@@ -83,7 +86,7 @@ fn pair(history: &[f64], at: usize) -> [f64; 2] {
 
 impl Contact {
     /// Where a point's numbers begin.
-    fn own(&self, point: usize) -> usize {
+    pub(crate) fn own(&self, point: usize) -> usize {
         let before = if self.multipliers.is_some() { 2 } else { 1 };
         before * self.points.len() + point * self.tangential.as_ref().map_or(0, Tangential::history)
     }
@@ -101,22 +104,27 @@ impl Contact {
         [0, 1].map(|i| old[own + ELASTIC + i] + shifted(i))
     }
 
-    /// What acts along the surface at a point that is pressed, or touches, where the law answers so.
+    /// The law of friction at a motion's time.
+    pub(crate) fn friction_at(&self, at: &Motion) -> Option<Cow<'_, Coulomb>> {
+        self.tangential.as_ref().map(|tangential| tangential.at(at))
+    }
+
+    /// What acts along the surface, by a law of friction, at a point that is pressed, or touches, where the law answers so.
     pub(crate) fn along(
         &self,
         point: usize,
-        at: &Motion,
+        (at, law): (&Motion, Option<&Coulomb>),
         normal: &Answer,
         (old, new): (&[f64], &[f64]),
     ) -> Option<Along<'_>> {
-        let tangential = self.tangential.as_ref().filter(|_| normal.status != ContactStatus::Open)?;
+        let law = law.filter(|_| normal.status != ContactStatus::Open)?;
         let pressure = normal.response.pressure;
         let places: &[Range<usize>] = &self.places[point];
         let slide = self.points[point].slide_at((at.u, at.du), places)?;
         let slip = slide.slip(at.du, places);
         let elastic = self.anchor(point, old, new);
-        let mut answer = tangential.law.respond(Sliding { pressure, elastic, slip, dt: at.dt });
-        if normal.touches {
+        let mut answer = law.respond(Sliding { pressure, elastic, slip, dt: at.dt });
+        if normal.touches && !law.is_none() {
             // As the pressure does: a body that just touches is held.
             let typical = self.law.typical_stiffness();
             for i in 0..2 {
@@ -128,7 +136,7 @@ impl Contact {
 
     /// True where friction acts at a point.
     pub(crate) fn slides(&self, point: usize, u: &[f64]) -> bool {
-        self.tangential.is_some() && self.points[point].slide_from(u, &self.places[point]).is_some()
+        self.rubs() && self.points[point].slide_from(u, &self.places[point]).is_some()
     }
 
     /// How the slips [L] of a point change with a small motion `field` from a displacement.

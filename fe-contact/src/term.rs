@@ -137,6 +137,7 @@ impl Term for Contact {
         self.allow(&at, new);
         let moved = at.du.iter().any(|d| *d != 0.0);
         let blocks = out.stiffness.as_deref().map(|k| self.blocks(&k.pattern));
+        let friction = self.friction_at(&at);
         for (i, p) in self.points.iter().enumerate() {
             let here = self.at(i, at.u);
             if !here.gap.is_finite() {
@@ -144,7 +145,7 @@ impl Term for Contact {
                 return Err(Reject::NotFinite { place, node: Some(p.node as usize) });
             }
             let answer = self.answer(i, here.gap, (old, new));
-            let along = self.along(i, &at, &answer, (old, new));
+            let along = self.along(i, (&at, friction.as_deref()), &answer, (old, new));
             let Answer { response, status, own_slope, .. } = answer;
             let measure = p.measure.value();
             out.energy += response.energy * measure;
@@ -186,13 +187,11 @@ impl Term for Contact {
     }
 
     fn lacking<'s>(&'s self, at: Motion, (old, new): (&[f64], &[f64])) -> Option<Lacking<'s>> {
-        if !self.acts() || self.tangential.as_ref().is_none_or(|t| t.law.is_symmetric()) {
-            return None;
-        }
+        let friction = self.friction_at(&at).filter(|law| self.acts() && !law.is_symmetric())?;
         let of_point = |i: usize| {
             let here = self.at(i, at.u);
             let answer = self.answer(i, here.gap, (old, new));
-            let along = self.along(i, &at, &answer, (old, new))?;
+            let along = self.along(i, (&at, Some(&friction)), &answer, (old, new))?;
             along.has_rest().then_some((i, here.row, answer.response.stiffness, along))
         };
         let slipping: Vec<_> = (0..self.points.len()).filter_map(of_point).collect();
@@ -243,10 +242,12 @@ impl Term for Contact {
                 self.add_stiffness(i, (lacking * p.measure.value(), &here.row), &blocks, stiffness);
                 done = true;
             }
-            let Some(tangential) = self.tangential.as_ref().filter(|_| status != ContactStatus::Open) else { continue };
+            let Some(law) = self.friction().filter(|law| status != ContactStatus::Open && !law.is_none()) else {
+                continue;
+            };
             // A point that slips holds nothing along the surface, and may yet come to stick.
             let Some(slide) = p.slide_from(u, &self.places[i]) else { continue };
-            let own = tangential.law.stiffness(answer.pressure);
+            let own = law.stiffness(answer.pressure);
             let factor = if own > 0.0 { own } else { self.law.typical_stiffness() };
             for row in slide.rows.iter().filter(|row| !row.is_empty()) {
                 self.add_stiffness(i, (factor * p.measure.value(), row), &blocks, stiffness);

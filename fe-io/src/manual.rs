@@ -47,6 +47,7 @@ fn full(card: &Keyword, laws: &Laws) -> String {
         Level::Assembly => "model data, in the assembly",
         Level::Step => "in a step",
         Level::Either => "model data, or in a step",
+        Level::Anywhere => "model data, also in a part, an instance or the assembly; or in a step",
     };
     line(&mut out, &format!("*{}: {}", card.name, card.summary));
     line(&mut out, &format!("  {level}"));

@@ -24,7 +24,7 @@ fn other_words_are_answered_too() {
     let laws = Laws::standard();
     let of = |name: &str| manual::card(name, &laws);
     assert!(of("*surfacebehavior").is_ok_and(|text| text.contains("slope [F/L³]")));
-    assert!(of("change friction").is_ok_and(|text| text.contains("not there yet")));
+    assert!(of("change contact type").is_ok_and(|text| text.contains("not there yet")));
     assert!(of("PREPRINT").is_ok_and(|text| text.contains("no effect")));
     assert!(of("BOUNDRY").is_err_and(|text| text.contains("*BOUNDARY")));
 }

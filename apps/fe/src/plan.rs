@@ -270,13 +270,14 @@ fn friction_in_words(pair: &Contact, law: &Coulomb) -> String {
         let how = if pair.sticks_exactly() { "held by multipliers" } else { "held by the penalty" };
         return format!("; rough, {how}: closed points never slip");
     };
-    let value = match coefficient {
-        Coefficient::Constant(value) => format!("μ = {value}"),
-        Coefficient::Table(_) => "μ by slip rate and pressure".into(),
-        Coefficient::Decay { rest, kinetic, decay } => {
-            format!("μ = {kinetic} + {} exp(−{decay} T/L γ̇)", rest - kinetic)
-        }
-    };
+    if !pair.rubs() {
+        return "; no friction in this step".into();
+    }
+    let value = coefficient_in_words(coefficient);
+    let before = pair.friction_before().map_or(String::new(), |before| match &before.limit {
+        Some((before, _)) => format!(" at the end of the step, at its start {}", coefficient_in_words(before)),
+        None => ", rough before this step".into(),
+    });
     let most = largest.map_or(String::new(), |largest| {
         format!(", the shear at most {largest} {}", pair.summary().measure.dimension())
     });
@@ -284,7 +285,18 @@ fn friction_in_words(pair: &Contact, law: &Coulomb) -> String {
         Spring::Slip(slip) => format!("sticking points give way by up to {slip:.6e} L"),
         Spring::Stiffness(_) => "sticking points do not move (multipliers)".into(),
     };
-    format!("; friction, {value}{most}, {stick}")
+    format!("; friction, {value}{before}{most}, {stick}")
+}
+
+fn coefficient_in_words(coefficient: &Coefficient) -> String {
+    match coefficient {
+        Coefficient::Constant(value) => format!("μ = {value}"),
+        Coefficient::Table(_) => "μ by slip rate and pressure".into(),
+        Coefficient::Between(..) => "μ between two, on the way from one to the other".into(),
+        Coefficient::Decay { rest, kinetic, decay } => {
+            format!("μ = {kinetic} + {} exp(−{decay} T/L γ̇)", rest - kinetic)
+        }
+    }
 }
 
 /// True where a penalty or a law carries a contact, without multipliers.
@@ -313,8 +325,10 @@ fn leaves_out(terms: &Terms, unknowns: usize) -> Vec<String> {
         if terms.contacts.iter().all(bare) {
             out.push("multipliers: a penalty or a law carries the contact".into());
         }
-        if terms.contacts.iter().all(|pair| pair.friction().is_none()) {
-            out.push("friction and an unsymmetric matrix: no interaction has friction".into());
+        if terms.contacts.iter().all(|pair| !pair.rubs()) {
+            let later = terms.contacts.iter().any(|pair| pair.friction().is_some());
+            let why = if later { "it comes in a later step, or is gone" } else { "no interaction has friction" };
+            out.push(format!("friction and an unsymmetric matrix: {why}"));
         } else {
             out.push(
                 "an unsymmetric matrix: what friction adds to the symmetric one is brought in by iteration".into(),

@@ -34,6 +34,8 @@ pub struct Terms {
     pub contacts: Vec<Contact>,
     /// Connected bodies.
     pub bodies: Vec<Body>,
+    /// What slip tolerances are parts of, where there is friction.
+    slip: Option<slip::Reference>,
     /// Remarks, a line each.
     pub notes: Vec<String>,
     /// Seconds for contact search and integration.
@@ -55,9 +57,15 @@ impl Terms {
             moves.iter().for_each(|m| points[m.node as usize] = m.to);
         }
         let freedoms = structure.freedoms(&model.references);
-        let (mut interactions, remarks) = slip::settle(&structure, &definitions, &model.interactions);
+        let mut interactions = model.interactions.clone();
+        let rubs = interactions.iter().any(|interaction| interaction.friction.is_some());
+        let slip = rubs.then(|| slip::Reference::of(&structure, &definitions));
         stabilized_along(model).for_each(|interaction| interactions[interaction].stabilized_along = true);
-        notes.extend(remarks);
+        for interaction in &mut interactions {
+            let whose = format!("interaction {}", interaction.name);
+            let settled = slip.zip(interaction.friction.as_mut()).map(|(slip, friction)| slip.settle(friction, &whose));
+            notes.extend(settled.flatten());
+        }
         let mut contacts = Vec::new();
         for (k, (definition, _)) in model.pairs.iter().enumerate() {
             let interaction = &interactions[definition.interaction];
@@ -89,7 +97,7 @@ impl Terms {
         let members = members(&structure, &freedoms).map_err(|e| e.to_string())?;
         let bodies = bodies(&structure, &model.references);
         notes.extend(thin_beams(&structure, &bodies));
-        Ok(Terms { structure, freedoms, solids, members, contacts, bodies, notes, search_seconds })
+        Ok(Terms { structure, freedoms, solids, members, contacts, bodies, slip, notes, search_seconds })
     }
 
     /// The state before the first step.
@@ -104,13 +112,15 @@ impl Terms {
     pub fn enter(&mut self, step: &Step, at: &mut Converged) -> Vec<(usize, f64)> {
         let mut released = Vec::new();
         let histories = &mut at.history[self.solids.len() + self.members.len()..];
-        let nothing = Conditions::default();
         for (k, (contact, history)) in self.contacts.iter_mut().zip(histories).enumerate() {
-            let conditions = step.conditions.get(k).unwrap_or(&nothing);
+            let mut conditions = step.conditions.get(k).cloned().unwrap_or_default();
+            if let (Some(change), Some(slip)) = (&mut conditions.friction, self.slip) {
+                slip.settle(&mut change.to, contact.name());
+            }
             if contact.acts() && conditions.activity == Activity::Removed {
                 released.extend(contact.force(&at.u, history));
             }
-            contact.enter(conditions, (at.total_time, step.procedure.period()), history);
+            contact.enter(&conditions, (at.total_time, step.procedure.period()), &at.u, history);
         }
         released
     }

@@ -16,7 +16,8 @@ impl Carried {
             Friction::Rough => {
                 let penalty = self.penalty.filter(|p| p.means.is_bare());
                 let spring = Spring::Stiffness(penalty.map_or(slope, |p| p.stiffness));
-                Tangential { law: Coulomb { limit: None, spring }, multipliers: penalty.is_none().then_some(exact) }
+                let multipliers = penalty.is_none().then_some(exact);
+                Tangential { law: Coulomb { limit: None, spring }, change: None, multipliers }
             }
             Friction::Coulomb { coefficient, largest, stick } => {
                 let length = if ground.length > 0.0 { ground.length } else { 1.0 };
@@ -25,7 +26,8 @@ impl Carried {
                     Stick::ElasticSlip(slip) => (Spring::Slip(*slip), None),
                     Stick::Tolerance(part) => (Spring::Slip(part * length), None),
                 };
-                Tangential { law: Coulomb { limit: Some((coefficient.clone(), *largest)), spring }, multipliers }
+                let limit = Some((coefficient.clone(), *largest));
+                Tangential { law: Coulomb { limit, spring }, change: None, multipliers }
             }
         }
     }

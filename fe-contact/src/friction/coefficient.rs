@@ -17,6 +17,8 @@ pub enum Coefficient {
         /// d [T/L].
         decay: f64,
     },
+    /// On the way from one to another.
+    Between(Box<[Coefficient; 2]>, f64),
 }
 
 /// μ and its derivatives.
@@ -66,10 +68,28 @@ impl Coefficient {
         Ok(Coefficient::Decay { rest, kinetic, decay: -part.ln() / rate })
     }
 
+    /// Part of the way [-] from one to another: μ = (1 − part) μ₀ + part μ₁ at every slip rate and pressure.
+    pub fn between(from: &Self, to: &Self, part: f64) -> Self {
+        match (from, to) {
+            _ if part <= 0.0 => from.clone(),
+            _ if part >= 1.0 => to.clone(),
+            (Coefficient::Constant(from), Coefficient::Constant(to)) => Coefficient::Constant(mix(*from, *to, part)),
+            _ => Coefficient::Between(Box::new([from.clone(), to.clone()]), part),
+        }
+    }
+
     /// At a slip rate γ̇ ≥ 0 [L/T] and a pressure.
     pub fn at(&self, rate: f64, pressure: f64) -> Value {
         match self {
             Coefficient::Constant(value) => Value { value: *value, ..Value::default() },
+            Coefficient::Between(ends, part) => {
+                let [from, to] = [&ends[0], &ends[1]].map(|end| end.at(rate, pressure));
+                Value {
+                    value: mix(from.value, to.value, *part),
+                    by_rate: mix(from.by_rate, to.by_rate, *part),
+                    by_pressure: mix(from.by_pressure, to.by_pressure, *part),
+                }
+            }
             Coefficient::Decay { rest, kinetic, decay } => {
                 let excess = (rest - kinetic) * (-decay * rate).exp();
                 Value { value: kinetic + excess, by_rate: -decay * excess, by_pressure: 0.0 }
@@ -90,6 +110,11 @@ impl Coefficient {
             }
         }
     }
+}
+
+/// Part of the way [-] from one number to another.
+pub(super) fn mix(from: f64, to: f64, part: f64) -> f64 {
+    (1.0 - part) * from + part * to
 }
 
 /// The rows around `x`, how far it is between them [-], and how far they are apart: 0 outside of the list.
@@ -130,6 +155,20 @@ mod tests {
             assert!((kinetic - expected).abs() < 1e-15, "{kinetic}");
         }
         assert!(Coefficient::decay_through(0.2, (0.3, 1.0), None).is_err());
+    }
+
+    /// Between a table and a decay every number is between theirs; between two numbers it is a number.
+    #[test]
+    fn between_two_coefficients() {
+        let table = Coefficient::table(&[(0.5, 0.0, 0.0), (0.3, 0.0, 10.0)]).unwrap();
+        let decay = Coefficient::Decay { rest: 0.4, kinetic: 0.2, decay: 0.01 };
+        let at = Coefficient::between(&table, &decay, 0.25).at(100.0, 5.0);
+        let (fall, near) = (0.2 * (-1f64).exp(), |a: f64, b: f64| (a - b).abs() < 1e-15);
+        assert!(near(at.value, 0.75 * 0.4 + 0.25 * (0.2 + fall)), "{at:?}");
+        assert!(near(at.by_rate, -0.25 * 0.01 * fall) && near(at.by_pressure, -0.75 * 0.02), "{at:?}");
+        let number = |value: f64| Coefficient::Constant(value);
+        assert_eq!(Coefficient::between(&number(0.5), &number(0.25), 0.5), number(0.375));
+        assert_eq!([0.0, 1.0].map(|part| Coefficient::between(&table, &decay, part)), [table, decay]);
     }
 
     /// Bilinear inside, constant outside; the derivatives are those of the planes.

@@ -1,6 +1,7 @@
 //! Friction: pressure and slip in; shear, its derivatives and the new state out. The law knows no geometry.
 
 mod carried;
+pub mod change;
 mod coefficient;
 pub mod slip;
 
@@ -86,9 +87,29 @@ pub struct Shear {
     pub slips: bool,
 }
 
+impl Friction {
+    /// No friction at all, which may yet come to be some; `stick` is what points do then.
+    pub fn none(stick: Stick) -> Self {
+        Friction::Coulomb { coefficient: Coefficient::Constant(0.0), largest: None, stick }
+    }
+
+    /// True where μ = 0 everywhere.
+    pub fn is_none(&self) -> bool {
+        matches!(self, Friction::Coulomb { coefficient: Coefficient::Constant(0.0), .. })
+    }
+}
+
 impl Coulomb {
+    /// True where μ = 0 everywhere: no point sticks, and none stores anything.
+    pub fn is_none(&self) -> bool {
+        matches!(self.limit, Some((Coefficient::Constant(0.0), _)))
+    }
+
     /// The answer.
     pub fn respond(&self, at: Sliding) -> Shear {
+        if self.is_none() {
+            return Shear::default();
+        }
         let trial: [f64; 2] = std::array::from_fn(|i| at.elastic[i] + at.slip[i]);
         let Some((coefficient, largest)) = &self.limit else {
             return sticking(trial, self.stiffness(at.pressure));
@@ -134,7 +155,7 @@ impl Coulomb {
 
     /// True where ∂τ/∂p vanishes everywhere: a symmetric matrix is all of it.
     pub fn is_symmetric(&self) -> bool {
-        self.limit.is_none()
+        self.limit.is_none() || self.is_none()
     }
 }
 

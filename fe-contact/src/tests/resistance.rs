@@ -20,10 +20,10 @@ fn resisted() -> Vec<(Scene, Freedoms, Contact)> {
     let on = |way| on_sphere(way, &interaction);
     let mut scenes =
         vec![deformable(&interaction), on(Discretization::SurfaceToSurface), on(Discretization::NodeToSurface)];
-    for (_, _, pair) in &mut scenes {
+    for (_, freedoms, pair) in &mut scenes {
         let conditions = Conditions { stabilization: Some(STABILIZATION), ..Conditions::default() };
         let mut history = vec![0.0; pair.history()];
-        pair.enter(&conditions, (0.0, 1.0), &mut history);
+        pair.enter(&conditions, (0.0, 1.0), &vec![0.0; freedoms.len()], &mut history);
         assert!(pair.holds_along());
     }
     scenes

@@ -4,8 +4,8 @@ const LIBRARY: &str = "a coefficient by slip rate and pressure, or `EXPONENTIAL 
 
 pub const FRICTION: Keyword = Keyword {
     name: "FRICTION",
-    level: Level::Part,
-    summary: "Coulomb friction, under *SURFACE INTERACTION, *GAP or *INTERFACE: the shear is at most μ p; without the card surfaces slide freely",
+    level: Level::Anywhere,
+    summary: "Coulomb friction, under *SURFACE INTERACTION, *GAP, *INTERFACE or, in a step, *CHANGE FRICTION: the shear is at most μ p; without the card surfaces slide freely",
     parameters: &[
         Parameter::of("ELASTIC SLIP", Kind::Number, "length by which sticking points give way before they slip"),
         Parameter::of(

@@ -6,6 +6,7 @@ pub mod row;
 mod amplitude;
 mod beam_section;
 mod boundary;
+mod change_friction;
 mod clearance;
 mod contact_controls;
 mod contact_damping;
@@ -85,6 +86,7 @@ pub const CARDS: &[&Keyword] = &[
     &model_change::MODEL_CHANGE,
     &contact_interference::CONTACT_INTERFERENCE,
     &contact_controls::CONTACT_CONTROLS,
+    &change_friction::CHANGE_FRICTION,
     &loads::CLOAD,
     &loads::DLOAD,
     &loads::DSLOAD,

@@ -107,7 +107,6 @@ pub(super) const CARDS: &[(&[&str], &str)] = &[
         ],
         ELASTIC,
     ),
-    (&["CHANGE FRICTION"], "the friction of `*FRICTION` holds in all steps"),
     (
         &[
             "CONTACT",

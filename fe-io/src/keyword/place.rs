@@ -120,7 +120,7 @@ impl<'a> Places<'a> {
             (None | Some(_), Level::Step) => {
                 fault("belongs into a step".into()).help("write it between `*STEP` and `*END STEP`")
             }
-            (Some(_), Level::Part) => return,
+            (Some(_), Level::Part | Level::Anywhere) => return,
             (_, Level::Assembly) => {
                 fault("belongs into the assembly".into()).help("write it between `*ASSEMBLY` and `*END ASSEMBLY`")
             }

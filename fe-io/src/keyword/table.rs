@@ -28,8 +28,10 @@ pub enum Level {
     Assembly,
     /// Between `*STEP` and `*END STEP`.
     Step,
-    /// Both.
+    /// Before the first step outside of parts and of the assembly, or in a step.
     Either,
+    /// As `Part`, or in a step.
+    Anywhere,
 }
 
 /// How far a word is supported.

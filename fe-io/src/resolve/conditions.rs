@@ -1,5 +1,6 @@
 //! What steps say of contacts: cards that hold until a later step says otherwise.
 
+use super::change_friction::Frictions;
 use super::nodes::fields;
 use super::scene::Scene;
 use super::which_pair;
@@ -23,6 +24,8 @@ pub struct InForce {
     conditions: Vec<Conditions>,
     /// Pairs with contact controls of their own.
     pub(super) own: BTreeSet<usize>,
+    /// Changes of friction.
+    pub(super) frictions: Frictions,
     /// Steps begun so far.
     pub(super) steps: usize,
     /// Period of the last step, and total time at its end [T].
@@ -30,13 +33,14 @@ pub struct InForce {
 }
 
 impl InForce {
-    /// Begins a step: stabilisation ends, interferences stay where the last step left them, or are taken out over this one where its cards
+    /// Begins a step: stabilisation and changes of friction end, interferences stay where the last step left them, or are taken out over this one where its cards
     /// replace them.
     pub fn begin_step(&mut self, replaces: bool) {
         self.steps += 1;
+        self.frictions.begin_step();
         let (period, total) = self.end;
         for conditions in &mut self.conditions {
-            conditions.stabilization = None;
+            (conditions.stabilization, conditions.friction) = (None, None);
             let course = conditions.interference.as_mut().map(|interference| &mut interference.course);
             if let Some(course) = course.filter(|course| replaces || !in_total_time(course)) {
                 let held = course.at(period, total, period);

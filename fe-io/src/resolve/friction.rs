@@ -8,7 +8,18 @@ use crate::keyword::row::Row;
 use crate::keyword::{Field, friction};
 use fe_contact::friction::{Coefficient, Friction, Stick, TOLERANCE};
 
-/// What the card says; `None` where nothing holds along the surface, or where it is refused, which was told.
+/// What the card says under an interaction; `None` where nothing holds along the surface, which is told, or where it is refused.
+pub fn of_interaction(entry: &Entry<'_>, deck: &Deck, diagnostics: &mut Diagnostics) -> Option<Friction> {
+    let friction = read(entry, deck, diagnostics)?;
+    if friction.is_none() {
+        let note = Diagnostic::note(entry.card.span, "a friction coefficient of 0: the surfaces slide freely");
+        diagnostics.push(note.label("nothing is spent on friction"));
+        return None;
+    }
+    Some(friction)
+}
+
+/// What the card says; `None` where it is refused, which was told.
 pub fn read(entry: &Entry<'_>, deck: &Deck, diagnostics: &mut Diagnostics) -> Option<Friction> {
     let before = diagnostics.faults();
     exclusions(entry, diagnostics);
@@ -27,15 +38,7 @@ pub fn read(entry: &Entry<'_>, deck: &Deck, diagnostics: &mut Diagnostics) -> Op
         let stick = stick.unwrap_or(Stick::Tolerance(TOLERANCE));
         Some(Friction::Coulomb { coefficient, largest, stick })
     };
-    if diagnostics.faults() > before {
-        return None;
-    }
-    if matches!(&friction, Some(Friction::Coulomb { coefficient: Coefficient::Constant(0.0), .. })) {
-        let note = Diagnostic::note(entry.card.span, "a friction coefficient of 0: the surfaces slide freely");
-        diagnostics.push(note.label("nothing is spent on friction"));
-        return None;
-    }
-    friction
+    friction.filter(|_| diagnostics.faults() == before)
 }
 
 /// A parameter's number, which must not be negative, and not zero but for `TAUMAX`.

@@ -73,7 +73,7 @@ impl Interactions {
             of.into_iter().for_each(|i| all.once(i, entry, diagnostics));
             match entry.keyword.name {
                 "FRICTION" => {
-                    let friction = friction::read(entry, deck, diagnostics);
+                    let friction = friction::of_interaction(entry, deck, diagnostics);
                     of.into_iter().for_each(|i| all.list[i].friction = friction.clone());
                 }
                 "CONTACT DAMPING" => {
@@ -133,6 +133,18 @@ impl Interactions {
     /// Index of a `*SURFACE INTERACTION` by name.
     pub fn find(&self, name: &str) -> Option<usize> {
         self.list.iter().zip(&self.cards).position(|(i, card)| card.0 == NAMED && i.name == name)
+    }
+
+    /// Index of the `*SURFACE INTERACTION` that a card's `INTERACTION=` names; a missing one is told.
+    pub fn of_parameter(&self, entry: &Entry<'_>, diagnostics: &mut Diagnostics) -> Option<usize> {
+        let value = entry.value("INTERACTION")?;
+        let name = normalized(&value.text);
+        let found = self.find(&name);
+        if found.is_none() {
+            let fault = Diagnostic::error(value.span, format!("there is no interaction `{name}`"));
+            diagnostics.push(fault.known(&name, self.names()).help("say `*SURFACE INTERACTION, NAME=…`"));
+        }
+        found
     }
 
     /// Index by the place of the card.

@@ -3,6 +3,7 @@
 mod amplitudes;
 mod asked;
 mod beams;
+mod change_friction;
 mod clearances;
 mod combine;
 mod conditions;
@@ -48,6 +49,7 @@ use crate::diagnostic::{Diagnostic, Diagnostics, Severity};
 use crate::keyword::check::{Entry, check};
 use crate::model::{Model, Step};
 use amplitudes::Amplitudes;
+use change_friction::Frictions;
 use fe_contact::law::Laws;
 use fe_contact::search::Bounds;
 use fe_core::structure::Structure;
@@ -82,12 +84,13 @@ pub fn resolve(deck: &Deck, library: &Library) -> Result<Model, Diagnostics> {
     bodies(&entries, (&mut scene, &mut tubes), &mut diagnostics);
     let amplitudes = Amplitudes::read(&named(&entries, &["AMPLITUDE"]), deck, &mut diagnostics);
     // How surfaces act on each other belongs to the model wherever it is written: once, whatever a part's instances.
-    let contact = named(
+    let mut contact = named(
         &written,
         &["SURFACE INTERACTION", "GAP", "INTERFACE", "SURFACE BEHAVIOR", "FRICTION", "CONTACT DAMPING"],
     );
+    contact.retain(|entry| entry.step.is_none() || entry.keyword.name != "FRICTION");
     let given = Given { deck, laws: &library.laws, size: size(&scene.structure) };
-    let interactions = Interactions::read(&contact, given, &mut diagnostics);
+    let mut interactions = Interactions::read(&contact, given, &mut diagnostics);
     if scene.unread {
         return Err(diagnostics);
     }
@@ -109,10 +112,12 @@ pub fn resolve(deck: &Deck, library: &Library) -> Result<Model, Diagnostics> {
     for entry in entries.iter().filter(|entry| entry.step.is_none() && entry.keyword.name == "BOUNDARY") {
         supports.read(entry, &scene, &amplitudes, &mut diagnostics);
     }
-    let elements = gaps.iter().map(|(gaps, _)| gaps.name.as_str());
-    let elements = elements.chain(tubes.list.iter().map(|(tubes, _)| tubes.name.as_str())).collect();
-    let names = Named { amplitudes: &amplitudes, pairs: &contact_pairs, elements };
-    let steps = steps(&entries, &names, &mut scene, &mut diagnostics);
+    let of_gaps = gaps.iter().map(|(gaps, _)| (gaps.name.as_str(), gaps.interaction));
+    let of_tubes = tubes.list.iter().map(|(tubes, _)| (tubes.name.as_str(), tubes.interaction));
+    let elements = of_gaps.chain(of_tubes).collect();
+    let names = Named { amplitudes: &amplitudes, interactions: &interactions, pairs: &contact_pairs, elements };
+    let (steps, frictions) = steps(&entries, &names, &mut scene, &mut diagnostics);
+    frictions.begin_job(&mut interactions);
     if diagnostics.faults() == 0 {
         quality::twins(&scene, &mut diagnostics);
         cracks::tell(&scene, &contact_pairs, &mut diagnostics);
@@ -208,7 +213,13 @@ fn bodies<'a>(entries: &[Entry<'a>], (scene, tubes): (&mut Scene<'a>, &mut Tubes
 const START: Span = Span { source: 0, start: 0, end: 0 };
 const END: Span = Span { source: 0, start: u32::MAX, end: u32::MAX };
 
-fn steps(entries: &[Entry<'_>], names: &Named<'_>, scene: &mut Scene<'_>, diagnostics: &mut Diagnostics) -> Vec<Step> {
+/// All steps, and what they make of friction.
+fn steps(
+    entries: &[Entry<'_>],
+    names: &Named<'_>,
+    scene: &mut Scene<'_>,
+    diagnostics: &mut Diagnostics,
+) -> (Vec<Step>, Frictions) {
     let mut in_force = InForce::default();
     let mut steps = Vec::new();
     let of_steps: Vec<Entry<'_>> = entries.iter().filter(|entry| entry.step.is_some()).copied().collect();
@@ -219,7 +230,7 @@ fn steps(entries: &[Entry<'_>], names: &Named<'_>, scene: &mut Scene<'_>, diagno
         let fault = Diagnostic::error(END, "the deck has no step");
         diagnostics.push(fault.help("write `*STEP`, `*STATIC`, loads and requests, `*END STEP`"));
     }
-    steps
+    (steps, in_force.conditions.frictions)
 }
 
 fn heading(entries: &[Entry<'_>], deck: &Deck) -> String {

@@ -22,7 +22,7 @@ pub fn read(
     pairs: &mut Vec<(PairDefinition, Place)>,
     diagnostics: &mut Diagnostics,
 ) {
-    let interaction = interaction(entry, interactions, diagnostics);
+    let interaction = interactions.of_parameter(entry, diagnostics);
     let bond = bond(entry, diagnostics);
     let mut lines = scene.deck.lines(entry.card).peekable();
     if lines.peek().is_none() {
@@ -64,17 +64,6 @@ pub fn read(
         };
         pairs.extend(once::only_new(pair, pairs, line.span, diagnostics).map(|pair| (pair, place)));
     }
-}
-
-fn interaction(entry: &Entry<'_>, interactions: &Interactions, diagnostics: &mut Diagnostics) -> Option<usize> {
-    let value = entry.value("INTERACTION")?;
-    let name = normalized(&value.text);
-    let found = interactions.find(&name);
-    if found.is_none() {
-        let fault = Diagnostic::error(value.span, format!("there is no interaction `{name}`"));
-        diagnostics.push(fault.known(&name, interactions.names()).help("say `*SURFACE INTERACTION, NAME=…`"));
-    }
-    found
 }
 
 fn bond(entry: &Entry<'_>, diagnostics: &mut Diagnostics) -> Bond {

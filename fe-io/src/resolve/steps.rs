@@ -1,6 +1,7 @@
 //! Steps.
 
 use super::amplitudes::Amplitudes;
+use super::interactions::Interactions;
 use super::requests::Requests;
 use super::scene::{Analysis, Scene};
 use super::supports::Supports;
@@ -10,7 +11,7 @@ use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::keyword::check::Entry;
 use crate::keyword::{self, Known};
 use crate::model::{Changes, Place, Step};
-use fe_contact::pair::PairDefinition;
+use fe_contact::pair::{Bond, PairDefinition};
 use fe_core::load::{Load, Support};
 use fe_core::step::{Controls, Explicit, Procedure};
 
@@ -24,7 +25,7 @@ pub struct InForce {
     /// Kind and place of the first procedure.
     first: Option<(Analysis, Span)>,
     requests: Requests,
-    conditions: conditions::InForce,
+    pub(super) conditions: conditions::InForce,
 }
 
 impl Default for InForce {
@@ -43,10 +44,21 @@ impl Default for InForce {
 pub struct Named<'a> {
     /// Amplitudes.
     pub amplitudes: &'a Amplitudes,
+    /// Interactions.
+    pub interactions: &'a Interactions,
     /// Contact pairs.
     pub pairs: &'a [(PairDefinition, Place)],
-    /// Sets of contact elements: gap elements, then tubes.
-    pub elements: Vec<&'a str>,
+    /// Sets of contact elements and their interactions: gap elements, then tubes.
+    pub elements: Vec<(&'a str, usize)>,
+}
+
+impl Named<'_> {
+    /// The contacts that an interaction describes, indices into all of them; tied pairs have none but their own.
+    pub fn contacts_of(&self, interaction: usize) -> impl Iterator<Item = usize> {
+        let pairs = self.pairs.iter().map(|(pair, _)| (pair.bond == Bond::Contact).then_some(pair.interaction));
+        let elements = self.elements.iter().map(|(_, interaction)| Some(*interaction));
+        pairs.chain(elements).enumerate().filter(move |(_, of)| *of == Some(interaction)).map(|(i, _)| i)
+    }
 }
 
 /// Reads one step, its `*STEP` first; `None` when it is refused, which was told.
@@ -66,7 +78,7 @@ pub fn read(
     let mut procedure: Option<(Option<Procedure>, Span)> = None;
     let mut supports = Supports::default();
     let mut loads = [Vec::new(), Vec::new()];
-    for entry in rest {
+    for (i, entry) in rest.iter().enumerate() {
         match entry.keyword.name {
             "STATIC" | "DYNAMIC" => {
                 let read = in_force.procedure(first, entry, scene, diagnostics);
@@ -82,6 +94,15 @@ pub fn read(
             "CONTROLS" => controls::read(entry, scene.deck, &mut in_force.controls, diagnostics),
             "MODEL CHANGE" => in_force.conditions.change(entry, scene, named.pairs, diagnostics),
             "CONTACT INTERFERENCE" => in_force.conditions.interfere(entry, scene, named, diagnostics),
+            "CHANGE FRICTION" => {
+                in_force.conditions.change_friction((entry, rest.get(i + 1)), scene, named, diagnostics);
+            }
+            "FRICTION" if i == 0 || rest[i - 1].keyword.name != "CHANGE FRICTION" => {
+                let fault = Diagnostic::error(entry.card.span, "in a step `*FRICTION` follows `*CHANGE FRICTION`");
+                diagnostics.push(
+                    fault.help("say `*CHANGE FRICTION, INTERACTION=…` before it, or write it before the first step"),
+                );
+            }
             "CONTACT CONTROLS" => in_force.conditions.control(entry, scene, named, diagnostics),
             "BOUNDARY" => supports.read(entry, scene, named.amplitudes, diagnostics),
             "CLOAD" => loads[0].extend(loads::read(entry, scene, named.amplitudes, diagnostics)),

@@ -35,10 +35,10 @@ pub fn of_elements(
     diagnostics: &mut Diagnostics,
 ) -> Option<usize> {
     let name = scene.full_name(set.text);
-    let found = named.elements.iter().position(|known| *known == name);
+    let found = named.elements.iter().position(|(known, _)| *known == name);
     if found.is_none() && diagnostics.faults() == 0 {
         let fault = Diagnostic::error(set.span, format!("no `*GAP` or `*INTERFACE` has the elements `{name}`"));
-        diagnostics.push(fault.known("", named.elements.iter().copied()));
+        diagnostics.push(fault.known("", named.elements.iter().map(|(name, _)| *name)));
     }
     found.map(|at| named.pairs.len() + at)
 }
