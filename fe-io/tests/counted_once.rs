@@ -41,3 +41,53 @@ fn nodes_at_the_same_place_are_counted() {
     let unused = model(&CONTACT.replace("99, 0., 0., -1.\n", "99, 0., 0., -1.\n98, 0., 0., 2.\n"));
     assert!(!told(&unused, &["same place"]));
 }
+
+/// Two cantilevers in each other, a tube element at the inner tip.
+const TUBES: &str = "\
+*NODE
+1, 0., 0., 0.
+2, 1., 0., 0.
+3, 2., 0., 0.
+11, 0., 0., 0.
+12, 1., 0., 0.
+13, 2., 0., 0.
+*ELEMENT, TYPE=B33, ELSET=INNER
+1, 1, 2
+2, 2, 3
+*ELEMENT, TYPE=B33, ELSET=OUTER
+11, 11, 12
+12, 12, 13
+*BEAM GENERAL SECTION, ELSET=INNER, SECTION=GENERAL
+1., 1., 0., 1., 2.
+0., 0., 1.
+1000., 400.
+*BEAM GENERAL SECTION, ELSET=OUTER, SECTION=GENERAL
+1., 1., 0., 1., 2.
+0., 0., 1.
+1000., 400.
+*ELEMENT, TYPE=ITT31, ELSET=TUBES
+21, 3
+*INTERFACE, ELSET=TUBES
+0.1
+*SLIDE LINE, ELSET=TUBES, TYPE=LINEAR
+11, 12, 13
+*BOUNDARY
+1, 1, 6
+11, 1, 6
+*STEP
+*STATIC
+*END STEP
+";
+
+/// All nodes of the inner tube lie in the outer one; two nodes of a tube that is cut are a crack beside it.
+#[test]
+fn tubes_in_each_other_are_no_crack() {
+    assert!(!told(&model(TUBES), &["same place"]));
+    let cut = TUBES.replace("13, 2., 0., 0.\n", "13, 2., 0., 0.\n15, 1., 0., 0.\n").replace("12, 12, 13", "12, 15, 13");
+    let cut = model(&cut.replace("11, 12, 13\n*BOUNDARY", "11, 12, 13\n*BOUNDARY\n15, 1, 6"));
+    assert!(told(&cut, &["warning: 2 pairs of nodes lie at the same place", "nodes 2 and 15"]), "{:?}", cut.notes);
+    let apart = TUBES
+        .replace("*ELEMENT, TYPE=ITT31", "*NODE\n5, 2., 3., 0.\n*ELEMENT, TYPE=ITT31")
+        .replace("21, 3\n", "21, 5\n");
+    assert!(told(&model(&apart), &["warning: 3 pairs of nodes"]), "{:?}", model(&apart).notes);
+}

@@ -67,6 +67,31 @@ fn contact_controls_scale_the_penalty() {
     close("scaled penalty", &found, expected, PRINTED * 400.0);
 }
 
+/// A card without names reaches contact elements, too; STABILIZE does not.
+#[test]
+fn contact_controls_reach_contact_elements() {
+    let step = |cards: &str| format!("*STEP\n*STATIC\n{cards}*CLOAD\n2, 1, -500.\n*EL PRINT, ELSET=G\nS\n*END STEP\n");
+    let slider = |behavior: &str| {
+        format!(
+            "*NODE\n1, 0., 0., 0.\n2, 1., 0., 0.\n*ELEMENT, TYPE=SPRING1, ELSET=S\n1, 2\n*SPRING, ELSET=S\n1\n{K}\n\
+             *ELEMENT, TYPE=GAPUNI, ELSET=G\n2, 1, 2\n*GAP, ELSET=G\n{DISTANCE}, 1.\n{behavior}*BOUNDARY\n1, 1, 3\n2, 2, 3\n"
+        )
+    };
+    let penalty = format!("*SURFACE BEHAVIOR, PENALTY\n{K}\n");
+    let scaled = "*CONTACT CONTROLS, STIFFNESS SCALE FACTOR=3.\n";
+    let job = Job::run(
+        "controls_elements",
+        &(slider(&penalty) + &[scaled, "*CONTACT CONTROLS, RESET, STABILIZE\n"].map(step).concat()),
+    );
+    close("scale", job.all("stresses", "G", 1), [300.0, 200.0], PRINTED * 400.0);
+    assert!(job.told.contains("`STABILIZE` has no effect") && !job.plan().contains("stabilised"), "{}", job.told);
+    let exact =
+        step("*CONTACT CONTROLS, LAGRANGE MULTIPLIER=NO\n") + &step("*CONTACT CONTROLS, LAGRANGE MULTIPLIER=YES\n");
+    let job = Job::run("controls_elements_exact", &(slider("") + &exact));
+    // Without multipliers ten times the spring.
+    close("multipliers", job.all("stresses", "G", 1), [400.0 * 10.0 / 11.0, 400.0], PRINTED * 400.0);
+}
+
 /// A01 with AUGMENTED LAGRANGE, β = 10: the overclosure is 0.0364 after the first pass, 0.0033 after the second and 0.0003
 /// after the third; the facets' length is 1.
 #[test]

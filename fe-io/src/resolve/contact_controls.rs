@@ -13,7 +13,7 @@ use fe_contact::conditions::{MultiplierUse, Overrides, Tolerance};
 use fe_contact::viscous::{Coefficient, Stabilization};
 
 impl InForce {
-    /// Reads a card: it holds for one pair, or for all those that no card has named.
+    /// Reads a card: it holds for one pair, or for all pairs that no card has named, and all contact elements.
     pub fn control(&mut self, entry: &Entry<'_>, scene: &Scene<'_>, named: &Named<'_>, diagnostics: &mut Diagnostics) {
         let before = diagnostics.faults();
         let pair = which_pair::of_parameters(entry, named.pairs, scene, diagnostics);
@@ -23,29 +23,39 @@ impl InForce {
         if diagnostics.faults() > before {
             return;
         }
-        if named.pairs.is_empty() {
-            let note = Diagnostic::note(entry.card.span, "`*CONTACT CONTROLS` has no effect");
+        // Contact elements come after the pairs.
+        let contacts = named.pairs.len() + named.elements.len();
+        let idle = match entry.parameter("STABILIZE") {
+            _ if contacts == 0 => Some((entry.card.span, "*CONTACT CONTROLS")),
+            Some(stabilize) if named.pairs.is_empty() => Some((stabilize.span, "STABILIZE")),
+            _ => None,
+        };
+        if let Some((span, word)) = idle {
+            let note = Diagnostic::note(span, format!("`{word}` has no effect"));
             diagnostics.push(note.label("there is no contact pair"));
         }
         let meant: Vec<usize> = match pair {
             Some(pair) => vec![pair],
-            None => (0..named.pairs.len()).filter(|pair| !self.own.contains(pair)).collect(),
+            None => (0..contacts).filter(|contact| !self.own.contains(contact)).collect(),
         };
-        for pair in meant {
+        for contact in meant {
             if entry.has("RESET") {
-                self.own.remove(&pair);
-                (self.of(pair).overrides, self.of(pair).stabilization) = (Overrides::default(), None);
+                self.own.remove(&contact);
+                (self.of(contact).overrides, self.of(contact).stabilization) = (Overrides::default(), None);
             } else if entry.has("MAIN") {
-                self.own.insert(pair);
+                self.own.insert(contact);
             }
-            let conditions = self.of(pair);
+            let conditions = self.of(contact);
             let overrides = &mut conditions.overrides;
             overrides.stiffness_scale = scale.unwrap_or(overrides.stiffness_scale);
             overrides.tolerance = tolerance.or(overrides.tolerance);
             if let Some(word) = entry.name("LAGRANGE MULTIPLIER") {
                 overrides.multipliers = if word == "YES" { MultiplierUse::Always } else { MultiplierUse::Never };
             }
-            conditions.stabilization = stabilization.or(conditions.stabilization);
+            // Contact elements are not stabilised.
+            if contact < named.pairs.len() {
+                conditions.stabilization = stabilization.or(conditions.stabilization);
+            }
         }
     }
 }

@@ -5,16 +5,31 @@ use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::Place;
 use fe_contact::pair::PairDefinition;
 use fe_contact::surface::Main;
+use fe_contact::tube::TubeDefinition;
 use fe_mesh::check::coincident_points;
 use fe_mesh::{CellKind, Mesh};
-use std::collections::HashSet;
+use std::collections::{BTreeMap, BTreeSet, HashSet};
 
 /// Nodes this near, of the model's size, are at the same place [-].
 const SAME_PLACE: f64 = 1e-10;
 
-/// Counts the pairs of coincident nodes of elements that do not face each other in a contact pair.
-pub fn tell(scene: &Scene<'_>, pairs: &[(PairDefinition, Place)], diagnostics: &mut Diagnostics) {
+/// Counts the pairs of coincident nodes of elements that neither face each other in a contact pair nor lie in each other as
+/// tubes.
+pub fn tell(
+    scene: &Scene<'_>,
+    pairs: &[(PairDefinition, Place)],
+    tubes: &[(TubeDefinition, Place)],
+    diagnostics: &mut Diagnostics,
+) {
     let mut found = coincident(scene);
+    for (tube, _) in tubes {
+        if found.is_empty() {
+            return;
+        }
+        let (inner, outer) = (inner_tubes(&scene.structure.mesh, tube), BTreeSet::from_iter(&tube.line.nodes));
+        let within = |a: u32, b: u32| inner.contains(&a) && outer.contains(&b);
+        found.retain(|&(a, b)| !within(a, b) && !within(b, a));
+    }
     for (pair, _) in pairs {
         if found.is_empty() {
             return;
@@ -49,6 +64,24 @@ fn coincident(scene: &Scene<'_>) -> Vec<(u32, u32)> {
         found.retain(|pair| !joined.contains(pair));
     }
     found
+}
+
+/// Nodes of the tubes inside: of the elements, and of all lines that go on from there.
+fn inner_tubes(mesh: &Mesh, tube: &TubeDefinition) -> BTreeSet<u32> {
+    let mut lines: BTreeMap<u32, Vec<&[u32]>> = BTreeMap::new();
+    for block in mesh.blocks.iter().filter(|block| block.kind.dimension() == 1) {
+        for line in block.nodes.chunks_exact(block.kind.nodes()) {
+            line.iter().for_each(|&node| lines.entry(node).or_default().push(line));
+        }
+    }
+    let mut inner = BTreeSet::new();
+    let mut next: Vec<u32> = tube.cells.iter().flat_map(|&cell| mesh.cell(cell)).copied().collect();
+    while let Some(node) = next.pop() {
+        if inner.insert(node) {
+            next.extend(lines.get(&node).into_iter().flatten().copied().flatten());
+        }
+    }
+    inner
 }
 
 const SECONDARY: u8 = 1;

@@ -120,7 +120,7 @@ pub fn resolve(deck: &Deck, library: &Library) -> Result<Model, Diagnostics> {
     frictions.begin_job(&mut interactions);
     if diagnostics.faults() == 0 {
         quality::twins(&scene, &mut diagnostics);
-        cracks::tell(&scene, &contact_pairs, &mut diagnostics);
+        cracks::tell(&scene, &contact_pairs, &tubes.list, &mut diagnostics);
         quality::elements(&scene, &mut diagnostics);
         quality::members(&scene, &mut diagnostics);
     }
