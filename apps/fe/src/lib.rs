@@ -17,6 +17,7 @@ pub mod plan;
 pub mod printed;
 pub mod reason;
 pub mod recorder;
+mod step_run;
 pub mod terms;
 
 pub use cli::{main, main_with, standard};
