@@ -115,7 +115,7 @@ impl Scene {
         Structure {
             mesh: self.mesh.clone(),
             elements: self.mesh.blocks.iter().filter_map(of_kind).collect(),
-            materials: vec![Material { name: "M".into(), elastic, density: None }],
+            materials: vec![Material::elastic("M", elastic)],
             sections: self.elements.iter().map(section).collect(),
             ..Structure::default()
         }

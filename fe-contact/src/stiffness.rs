@@ -29,7 +29,7 @@ pub fn beneath(structure: &Structure, facets: &[Facet]) -> Option<f64> {
     let rules = Rules::new(3);
     let each = |facet: &Facet| {
         let section = structure.section_of(facet.face.cell)?;
-        let elastic = structure.materials[section.material].elastic;
+        let elastic = structure.materials[section.material].response.elastic();
         let nu = elastic.poisson.min(LARGEST_POISSON);
         let modulus = elastic.young * (1.0 - nu) / ((1.0 + nu) * (1.0 - 2.0 * nu));
         let length = volume(structure, facet.face.cell, &rules) / facet.area;

@@ -59,7 +59,7 @@ fn patch(elements: [ElementType; 2], lower: [usize; 3], upper: [usize; 3]) -> Pa
     };
     let sections = vec![section(below, "LOW_BLOCK"), section(above, "UP_BLOCK")];
     let elastic = Elastic { young: 1000.0, poisson: 0.3 };
-    let materials = vec![Material { name: "M".into(), elastic, density: None }];
+    let materials = vec![Material::elastic("M", elastic)];
     let solid = below.space() == Space::Solid;
     let (axis, sides) = if solid { (2, ["ZMIN", "ZMAX"]) } else { (1, ["YMIN", "YMAX"]) };
     Patch { structure: Structure { mesh, elements: types, materials, sections, ..Structure::default() }, axis, sides }

@@ -1,6 +1,7 @@
 //! What elements have beside their nodes: material, cross-section, stiffness.
 
 use crate::element::{ElementType, Family};
+use crate::material::Damping;
 use fe_mesh::CellId;
 use std::f64::consts::PI;
 
@@ -32,6 +33,8 @@ pub struct LineSection {
     pub shear: f64,
     /// Density [M/L³], where given.
     pub density: Option<f64>,
+    /// Damping in dynamic steps.
+    pub damping: Damping,
     /// Cross-section.
     pub profile: Profile,
     /// Direction of the cross-section's axis 1, of any length; what is along the line is taken out of it.

@@ -29,7 +29,7 @@ impl Beam {
         let cells = mesh.cell_sets["BLOCK"].clone();
         let section = Section { element: ElementType::C3D8, cells, material: 0, thickness: 1.0 };
         let elastic = Elastic { young: 2.1e5, poisson: 0.3 };
-        let materials = vec![Material { name: "M".into(), elastic, density: None }];
+        let materials = vec![Material::elastic("M", elastic)];
         let structure = Structure {
             mesh,
             elements: vec![ElementType::C3D8],

@@ -41,6 +41,9 @@ pub struct Model {
     pub references: Vec<u32>,
     /// Supports of the model data: they hold from the start.
     pub supports: Vec<Support>,
+    /// Velocities at the start of an explicit job: node, freedom 0..6, value [L/T or rad/T]; each freedom once, in the
+    /// order of the deck. All others begin at rest.
+    pub initial_velocities: Vec<(u32, usize, f64)>,
     /// Steps, all static or all explicit.
     pub steps: Vec<Step>,
     /// Remarks on the deck that do not stop the run (cards without effect here), a line each.

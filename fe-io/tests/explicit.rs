@@ -1,5 +1,8 @@
 //! What decks for explicit dynamics say, and what the model holds of it.
 
+use fe_core::amplitude::Course;
+use fe_core::load::Prescribed;
+use fe_core::material::{Damping, Elastic, Hardening, NeoHooke, Response};
 use fe_core::step::{Displacements, Explicit, IncrementChoice, Procedure};
 use fe_io::{Deck, Library, Model, resolve};
 
@@ -47,4 +50,31 @@ fn procedures() {
     let model = with(&cards.map(step).concat());
     let viscosities: Vec<[f64; 2]> = (0..4).map(|i| explicit(&model, i).bulk_viscosity).collect();
     assert_eq!(viscosities, [[0.0, 1.2], [0.0, 1.2], [0.1, 0.0], [0.06, 1.2]]);
+}
+
+/// Materials of explicit steps; what a node begins with, and what of it is prescribed.
+#[test]
+fn materials_and_velocities() {
+    let text = CUBE.replace("*DENSITY", "*PLASTIC\n200., 0.\n300., 0.05\n*DAMPING, ALPHA=2., BETA=1e-9\n*DENSITY");
+    let data = "*AMPLITUDE, NAME=UP, DEFINITION=SMOOTH STEP\n0., 0., 1., 1.\n*INITIAL CONDITIONS, TYPE=VELOCITY\nALL, 3, -5.\n7, 1, 2.\n\
+                *MATERIAL, NAME=RUBBER\n*HYPERELASTIC, NEO HOOKE\n80.\n*STEP";
+    let motion = "*BOUNDARY, AMPLITUDE=UP\n5, 3, 3, 0.1\n*BOUNDARY, TYPE=VELOCITY\n6, 3, 3, -1.\n\
+                  *BOUNDARY, TYPE=ACCELERATION\n7, 3, 3, 2.\n*END STEP";
+    let model =
+        read(&text.replace("*STEP", data).replace("*END STEP", motion)).unwrap_or_else(|faults| panic!("{faults}"));
+    let steel = &model.structure.materials[0];
+    let elastic = Elastic { young: 210e3, poisson: 0.3 };
+    let hardening = Hardening { points: vec![(0.0, 200.0), (0.05, 300.0)] };
+    assert_eq!(steel.response, Response::Plastic { elastic, hardening });
+    assert_eq!((steel.density, steel.damping), (Some(7.85e-9), Damping { alpha: 2.0, beta: 1e-9 }));
+    // K = 2/D1 = 20 · 2 C10.
+    assert_eq!(model.structure.materials[1].response, Response::NeoHooke(NeoHooke { c10: 80.0, d1: 2.0 / 3200.0 }));
+    assert!(model.notes.iter().any(|note| note.contains("20 shear moduli")), "{:?}", model.notes);
+    let velocities: Vec<_> = (0..8).map(|node| (node, 2, -5.0)).chain([(6, 0, 2.0)]).collect();
+    assert_eq!(model.initial_velocities, velocities);
+    let supports: Vec<_> = model.steps[0].supports.items.iter().map(|s| (s.node, s.prescribed, s.value)).collect();
+    let wanted = [Prescribed::Displacement, Prescribed::Velocity, Prescribed::Acceleration].into_iter();
+    let wanted: Vec<_> = wanted.zip([(4, 0.1), (5, -1.0), (6, 2.0)]).map(|(p, (node, v))| (node, p, v)).collect();
+    assert_eq!(supports, wanted);
+    assert_eq!(model.amplitudes[0].course, Course::SmoothStep);
 }

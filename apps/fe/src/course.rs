@@ -248,7 +248,12 @@ mod tests {
     #[test]
     fn a_load_in_total_time_fades_from_where_it_was() {
         let points = vec![(0.0, 0.0), (4.0, 1.0)];
-        let amplitude = Some(Arc::new(Amplitude { name: "A".into(), base: TimeBase::Total, points }));
+        let amplitude = Some(Arc::new(Amplitude {
+            name: "A".into(),
+            base: TimeBase::Total,
+            course: fe_core::amplitude::Course::Linear,
+            points,
+        }));
         let ramp = Ramp { from: 0.0, to: 8.0, amplitude };
         let active = Active { kind: nodal(&[1, 2], 0.0).kind, ramp, held: 0.0 };
         let mut course = Course { nodal: vec![active], end: (1.0, 1.0, 1.0), ..Course::default() };

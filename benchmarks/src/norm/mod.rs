@@ -54,7 +54,7 @@ pub fn errors(
     for section in &structure.sections {
         let block = SolidBlock::new(structure, section, &freedoms)?;
         let stress = block.nodal(&block.stresses(&vector).stress);
-        let elastic = structure.materials[section.material].elastic;
+        let elastic = structure.materials[section.material].response.elastic();
         let task = Task { structure, block: &block, stress: &stress, u, exact, elastic, quadrature };
         // Cells in any order, their sums in that of the mesh: the same bits for any number of threads.
         let parts: Vec<Sums> = (0..block.cells().len()).into_par_iter().map(|cell| task.sums(cell)).collect();

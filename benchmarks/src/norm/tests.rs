@@ -10,7 +10,7 @@ fn structure(element: ElementType, mut mesh: Mesh) -> Structure {
     mesh.points.push([9.0; 3]);
     let section = Section { element, cells, material: 0, thickness: 1.0 };
     let elastic = Elastic { young: 1000.0, poisson: 0.25 };
-    let materials = vec![Material { name: "M".into(), elastic, density: None }];
+    let materials = vec![Material::elastic("M", elastic)];
     Structure { mesh, elements: vec![element], materials, sections: vec![section], ..Structure::default() }
 }
 

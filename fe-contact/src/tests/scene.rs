@@ -55,7 +55,7 @@ impl Scene {
         self.structure.mesh.blocks.push(block);
         self.structure.elements.push(element);
         let elastic = Elastic { young: 1000.0, poisson: 0.3 };
-        self.structure.materials.push(Material { name: "M".into(), elastic, density: None });
+        self.structure.materials.push(Material::elastic("M", elastic));
         self.structure.sections.push(Section { element, cells: all, material: index as usize, thickness: 1.0 });
         index
     }

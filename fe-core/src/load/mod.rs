@@ -6,6 +6,18 @@ pub use force::{LoadError, unit_forces};
 
 use fe_mesh::{CellId, Face};
 
+/// What of a freedom is prescribed.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Prescribed {
+    /// Its displacement [L or rad].
+    #[default]
+    Displacement,
+    /// Its velocity [L/T or rad/T], in explicit steps.
+    Velocity,
+    /// Its acceleration [L/T² or rad/T²], in explicit steps.
+    Acceleration,
+}
+
 /// A prescribed freedom of one node.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Support {
@@ -13,9 +25,12 @@ pub struct Support {
     pub node: u32,
     /// Freedom, 0..6.
     pub component: u8,
-    /// Value at the end of the step [L or rad], before the amplitude.
+    /// What the value is of.
+    pub prescribed: Prescribed,
+    /// Value at the end of the step, before the amplitude.
     pub value: f64,
-    /// Index of the amplitude; without one, a value ramps over a static step from where it was.
+    /// Index of the amplitude; without one, a value ramps over a static step from where it was, and holds from the start of
+    /// an explicit one.
     pub amplitude: Option<usize>,
 }
 
@@ -58,6 +73,7 @@ pub struct Load {
     pub kind: LoadKind,
     /// Magnitude at the end of the step, before the amplitude.
     pub magnitude: f64,
-    /// Index of the amplitude; without one, the magnitude ramps over a static step from where it was.
+    /// Index of the amplitude; without one, the magnitude ramps over a static step from where it was, and acts in full from
+    /// the start of an explicit one.
     pub amplitude: Option<usize>,
 }

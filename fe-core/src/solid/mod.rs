@@ -74,7 +74,7 @@ impl SolidBlock {
         Ok(SolidBlock {
             name: format!("{} elements of {}", element.name(), material.name),
             element,
-            elastic: material.elastic,
+            elastic: material.response.elastic(),
             thickness: section.thickness,
             cells: section.cells.clone(),
             coordinates: local_coordinates(mesh, element, &nodes),

@@ -5,7 +5,7 @@ const TABLE: &str = "a table of times and factors is there";
 pub const AMPLITUDE: Keyword = Keyword {
     name: "AMPLITUDE",
     level: Level::Either,
-    summary: "how a load or a support follows time: a table, linear in between and constant outside",
+    summary: "how a load or a support follows time: a table, constant outside",
     parameters: &[
         Parameter::name("NAME", "name of the amplitude").required(),
         Parameter::choice(
@@ -17,15 +17,15 @@ pub const AMPLITUDE: Keyword = Keyword {
             "DEFINITION",
             &[
                 Choice::there("TABULAR"),
+                Choice::there("SMOOTH STEP"),
                 Choice::not_yet("EQUALLY SPACED", TABLE),
                 Choice::not_yet("PERIODIC", TABLE),
                 Choice::not_yet("MODULATED", TABLE),
                 Choice::not_yet("DECAY", TABLE),
-                Choice::not_yet("SMOOTH STEP", TABLE),
                 Choice::not_yet("USER", TABLE),
                 Choice::not_yet("SOLUTION DEPENDENT", TABLE),
             ],
-            "TABULAR (default)",
+            "TABULAR (default): linear between the points; SMOOTH STEP: along 10 τ³ − 15 τ⁴ + 6 τ⁵, at rest in each of them",
         ),
         Parameter::choice(
             "VALUE",

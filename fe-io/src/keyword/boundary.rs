@@ -9,18 +9,18 @@ pub(super) const OPERATION: Parameter = Parameter::choice(
 pub const BOUNDARY: Keyword = Keyword {
     name: "BOUNDARY",
     level: Level::Either,
-    summary: "prescribed displacements and rotations; outside steps they are zero",
+    summary: "prescribed displacements and rotations, in explicit steps velocities and accelerations, too; outside steps they are zero",
     parameters: &[
         OPERATION,
-        Parameter::name("AMPLITUDE", "how the values follow time; without one they ramp over the step"),
+        Parameter::name("AMPLITUDE", "how the values follow time; without one they ramp over a static step, and hold from the start of an explicit one, where displacements other than 0 need one"),
         Parameter::choice(
             "TYPE",
             &[
                 Choice::there("DISPLACEMENT"),
-                Choice::not_yet("VELOCITY", "prescribe the displacement at the end of the step"),
-                Choice::not_yet("ACCELERATION", "prescribe the displacement at the end of the step"),
+                Choice::there("VELOCITY"),
+                Choice::there("ACCELERATION"),
             ],
-            "DISPLACEMENT (default)",
+            "DISPLACEMENT (default), VELOCITY or ACCELERATION: the latter two in explicit steps",
         ),
         Parameter::not_yet("FIXED", "prescribe the values that the nodes have"),
         Parameter::not_yet("USER", "use an amplitude"),
@@ -36,7 +36,7 @@ pub const BOUNDARY: Keyword = Keyword {
             Field::word("node or set", "label of a node, or a node set"),
             Field::whole("first", "first freedom: 1 to 3 translations, 4 to 6 rotations").least(1.0).below(7.0),
             Field::whole("last", "last freedom").or("the first one").least(1.0).below(7.0),
-            Field::number("value", "L or rad", "prescribed value").or("0"),
+            Field::number("value", "L or rad", "prescribed value; of velocities per T, of accelerations per T²").or("0"),
         ])
         .when("freedoms that a node does not have are left out"),
         DataLine::many(&[

@@ -19,6 +19,7 @@ pub(crate) mod friction;
 mod gap;
 mod heading;
 mod idle;
+mod initial_conditions;
 mod loads;
 mod material;
 mod mesh;
@@ -60,7 +61,10 @@ pub const CARDS: &[&Keyword] = &[
     &rigid_body::RIGID_BODY,
     &material::MATERIAL,
     &material::ELASTIC,
+    &material::PLASTIC,
+    &material::HYPERELASTIC,
     &material::DENSITY,
+    &material::DAMPING,
     &solid_section::SOLID_SECTION,
     &beam_section::BEAM_SECTION,
     &beam_section::BEAM_GENERAL_SECTION,
@@ -78,6 +82,7 @@ pub const CARDS: &[&Keyword] = &[
     &gap::INTERFACE,
     &gap::SLIDE_LINE,
     &boundary::BOUNDARY,
+    &initial_conditions::INITIAL_CONDITIONS,
     &step::STEP,
     &procedure::STATIC,
     &procedure::DYNAMIC,

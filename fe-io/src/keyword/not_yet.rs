@@ -2,7 +2,7 @@
 
 /// Instead of another procedure.
 pub(crate) const STATIC: &str = "static steps, `*STATIC`, and explicit ones, `*DYNAMIC, EXPLICIT`, are there";
-const ELASTIC: &str = "isotropic elasticity is there: `*ELASTIC`";
+const ELASTIC: &str = "there are `*ELASTIC`, `*PLASTIC` and `*HYPERELASTIC, NEO HOOKE`";
 const PAIR: &str = "pairs of surfaces are there: `*CONTACT PAIR`";
 const SOLIDS: &str =
     "solids and trusses are there by `*SOLID SECTION`, beams, springs and masses by cards of their names";
@@ -74,8 +74,6 @@ pub(super) const CARDS: &[(&[&str], &str)] = &[
     ),
     (
         &[
-            "PLASTIC",
-            "HYPERELASTIC",
             "HYPERFOAM",
             "VISCOELASTIC",
             "CREEP",
@@ -83,7 +81,6 @@ pub(super) const CARDS: &[(&[&str], &str)] = &[
             "CYCLIC HARDENING",
             "USER MATERIAL",
             "DEPVAR",
-            "DAMPING",
             "ORIENTATION",
             "NO COMPRESSION",
             "NO TENSION",
@@ -194,7 +191,7 @@ pub(super) const CARDS: &[(&[&str], &str)] = &[
         WRITE_NODES,
     ),
     (&["SYSTEM", "TRANSFORM", "DISTRIBUTION", "DISTRIBUTION TABLE"], GLOBAL),
-    (&["INITIAL CONDITIONS", "INITIAL STRAIN INCREASE", "PRE-TENSION SECTION", "INERTIA RELIEF"], AT_REST),
+    (&["INITIAL STRAIN INCREASE", "PRE-TENSION SECTION", "INERTIA RELIEF"], AT_REST),
     (&["CONNECTOR MOTION"], SUPPORTS),
     (&["CONNECTOR LOAD", "LOAD CASE", "END LOAD CASE"], "`*CLOAD`, `*DLOAD` and `*DSLOAD` are there"),
     (

@@ -8,7 +8,7 @@ use crate::deck::source::Span;
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::keyword::check::Entry;
 use crate::keyword::row::Row;
-use fe_core::amplitude::{Amplitude, TimeBase};
+use fe_core::amplitude::{Amplitude, Course, TimeBase};
 
 /// The amplitudes, with the places of their names. Faulty ones are there without points.
 #[derive(Debug, Default)]
@@ -31,7 +31,8 @@ impl Amplitudes {
                 continue;
             }
             let base = if entry.says("TIME", "TOTAL TIME") { TimeBase::Total } else { TimeBase::Step };
-            all.list.push(Amplitude { name, base, points: points(entry, deck, diagnostics) });
+            let course = if entry.says("DEFINITION", "SMOOTH STEP") { Course::SmoothStep } else { Course::Linear };
+            all.list.push(Amplitude { name, base, course, points: points(entry, deck, diagnostics) });
             all.places.push(value.span);
         }
         all

@@ -10,6 +10,7 @@ use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::keyword::check::Entry;
 use crate::keyword::row::Row;
 use fe_core::element::Space;
+use fe_core::material::Damping;
 use fe_core::structure::{LineSection, Profile};
 
 /// Axis 1 of cross-sections without a direction, and of those in the plane: Abaqus Analysis User's Guide, Beam element
@@ -65,7 +66,8 @@ pub fn read_general(entry: &Entry<'_>, of_type: ByType, scene: &mut Scene<'_>, d
     let (shear, name) = (row.number(1).unwrap_or(0.0), entry.name("ELSET").unwrap_or_default());
     for (element, cells) in of_type {
         let first_axis = FIRST_AXIS;
-        let section = LineSection { element, cells, name: name.clone(), young, shear, density, profile, first_axis };
+        let (name, damping) = (name.clone(), Damping::default());
+        let section = LineSection { element, cells, name, young, shear, density, damping, profile, first_axis };
         if complete(&section, entry, diagnostics) {
             add(section, axis, scene);
         }

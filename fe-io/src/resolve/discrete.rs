@@ -1,7 +1,7 @@
 //! `*SPRING`, `*DASHPOT` and `*MASS`.
 
 use super::nodes::line_fields;
-use super::scene::Scene;
+use super::scene::{Analysis, Scene};
 use super::sections::ByType;
 use crate::deck::card::Line;
 use crate::diagnostic::{Diagnostic, Diagnostics};
@@ -13,7 +13,7 @@ use fe_core::structure::Discrete;
 /// Reads the magnitude of a card, and the freedoms where its elements name some.
 pub fn read(entry: &Entry<'_>, of_type: ByType, scene: &mut Scene<'_>, diagnostics: &mut Diagnostics) {
     let name = entry.keyword.name;
-    if name == "DASHPOT" {
+    if name == "DASHPOT" && scene.analysis == Analysis::Static {
         let note = Diagnostic::note(entry.card.span, "dashpots have no force in static steps");
         diagnostics.push(note.label("there is no velocity"));
     }

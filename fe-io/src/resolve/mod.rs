@@ -41,6 +41,7 @@ mod steps;
 mod supports;
 mod surfaces;
 mod tubes;
+mod velocities;
 mod which_pair;
 
 use crate::deck::Deck;
@@ -112,6 +113,10 @@ pub fn resolve(deck: &Deck, library: &Library) -> Result<Model, Diagnostics> {
     for entry in entries.iter().filter(|entry| entry.step.is_none() && entry.keyword.name == "BOUNDARY") {
         supports.read(entry, &scene, &amplitudes, &mut diagnostics);
     }
+    let mut velocities = velocities::InitialVelocities::default();
+    each(&entries, &["INITIAL CONDITIONS"], &mut scene, |entry, scene| {
+        velocities.read(entry, scene, &mut diagnostics);
+    });
     let of_gaps = gaps.iter().map(|(gaps, _)| (gaps.name.as_str(), gaps.interaction));
     let of_tubes = tubes.list.iter().map(|(tubes, _)| (tubes.name.as_str(), tubes.interaction));
     let elements = of_gaps.chain(of_tubes).collect();
@@ -140,6 +145,7 @@ pub fn resolve(deck: &Deck, library: &Library) -> Result<Model, Diagnostics> {
         tubes: tubes.list,
         references,
         supports: supports.items,
+        initial_velocities: velocities.items,
         steps,
         notes: notes(&diagnostics),
     })
@@ -198,7 +204,7 @@ fn bodies<'a>(entries: &[Entry<'a>], (scene, tubes): (&mut Scene<'a>, &mut Tubes
     quality::spaces(scene, diagnostics);
     each(entries, &["SURFACE"], scene, |entry, scene| surfaces::read(entry, scene, diagnostics));
     each(entries, &["RIGID BODY"], scene, |entry, scene| rigid::body(entry, scene, diagnostics));
-    let materials = materials::read(&named(entries, &["MATERIAL", "ELASTIC", "DENSITY"]), scene, diagnostics);
+    let materials = materials::read(&named(entries, materials::CARDS), scene, diagnostics);
     let before = diagnostics.faults();
     let cards = sections::CARDS.iter().map(|(name, _)| *name).collect::<Vec<_>>();
     sections::read(&named(entries, &cards), &materials, scene, diagnostics);

@@ -128,13 +128,13 @@ pub fn elements(scene: &Scene<'_>, diagnostics: &mut Diagnostics) {
         let material = &scene.structure.materials[section.material];
         let constant_strain = matches!(section.element, ElementType::C3D4 | ElementType::CPE3 | ElementType::CAX3);
         if constant_strain
-            && material.elastic.poisson > NEARLY_INCOMPRESSIBLE
+            && material.response.elastic().poisson > NEARLY_INCOMPRESSIBLE
             && let Some(at) = section.cells.first().and_then(|&cell| scene.place_of(cell))
         {
             let title = format!(
                 "{} elements are far too stiff at a Poisson's ratio of {}",
                 section.element.name(),
-                material.elastic.poisson
+                material.response.elastic().poisson
             );
             let warning = Diagnostic::warning(at, title);
             diagnostics.push(warning.help("above 0.49 take C3D8, C3D10, CPE4 or CAX4"));

@@ -54,6 +54,8 @@ pub struct Scene<'a> {
     pub node_places: Vec<Span>,
     /// Elements in the order of the deck.
     pub cells: Vec<CellId>,
+    /// Where each material's name stands.
+    pub material_places: Vec<Span>,
     /// Where each element's label stands, by block.
     pub cell_places: Vec<Vec<Span>>,
     /// Surfaces, with the place of the name.
@@ -83,6 +85,7 @@ impl<'a> Scene<'a> {
             assembly: None,
             node_places: Vec::new(),
             cells: Vec::new(),
+            material_places: Vec::new(),
             cell_places: Vec::new(),
             surfaces: BTreeMap::new(),
             references: BTreeMap::new(),

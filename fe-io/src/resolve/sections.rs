@@ -2,16 +2,17 @@
 
 use super::materials::Materials;
 use super::nodes::fields;
-use super::scene::Scene;
+use super::scene::{Analysis, Scene};
 use super::{beams, discrete};
 use crate::deck::card::{Token, normalized};
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::keyword::check::Entry;
 use crate::keyword::row::Row;
 use fe_core::element::{ElementType, Family, Space};
+use fe_core::material::{Material, Response};
 use fe_core::structure::{LineSection, Profile, Section};
 use fe_mesh::CellId;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// The cards, and the families of elements that each is for.
 pub const CARDS: &[(&str, &[Family])] = &[
@@ -56,6 +57,9 @@ pub fn read(entries: &[Entry<'_>], materials: &Materials, scene: &mut Scene<'_>,
     let incomplete = |entry: &Entry<'_>| entry.keyword.parameters.iter().any(|p| p.required && !entry.has(p.name));
     if diagnostics.faults() > before || entries.iter().any(incomplete) {
         return;
+    }
+    if scene.analysis == Analysis::Explicit {
+        densities(entries, materials, scene, diagnostics);
     }
     for (block, taken) in taken.iter().enumerate() {
         missing(block, taken, scene, diagnostics);
@@ -102,6 +106,7 @@ fn section(
     match entry.keyword.name {
         "SOLID SECTION" => {
             let material = material(entry, materials, diagnostics);
+            let material = material.filter(|&m| answers(entry, m, &of_type, scene, diagnostics));
             let measure = measure(entry, &of_type, scene, diagnostics);
             if let (Some(material), Some(measure)) = (material, measure) {
                 add(material, measure, of_type, scene);
@@ -109,6 +114,7 @@ fn section(
         }
         "BEAM SECTION" => {
             let material = material(entry, materials, diagnostics);
+            let material = material.filter(|&m| answers(entry, m, &of_type, scene, diagnostics));
             beams::read(entry, material, of_type, scene, diagnostics);
         }
         "BEAM GENERAL SECTION" => beams::read_general(entry, of_type, scene, diagnostics),
@@ -128,6 +134,59 @@ fn material(entry: &Entry<'_>, materials: &Materials, diagnostics: &mut Diagnost
         diagnostics.push(fault.known(&name, materials.keys().map(String::as_str)));
     }
     *known?
+}
+
+/// True when these elements can follow the response of a material; what they cannot is told.
+fn answers(
+    entry: &Entry<'_>,
+    material: usize,
+    of_type: &ByType,
+    scene: &Scene<'_>,
+    diagnostics: &mut Diagnostics,
+) -> bool {
+    let what = match scene.structure.materials[material].response {
+        Response::Elastic(_) => return true,
+        Response::Plastic { .. } => "plasticity",
+        Response::NeoHooke(_) => "hyperelasticity",
+    };
+    let lines = of_type.keys().find(|element| element.family() != Family::Solid);
+    let fault = match (scene.analysis, lines) {
+        (_, Some(line)) => {
+            let fault = format!("{what} of {} elements is not there yet", line.name());
+            (fault, "trusses and beams are elastic: `*ELASTIC`")
+        }
+        (Analysis::Static, None) => {
+            let fault = format!("{what} is not there yet in static steps");
+            (fault, "`*ELASTIC` is; explicit steps, `*DYNAMIC, EXPLICIT`, have plasticity and hyperelasticity")
+        }
+        (Analysis::Explicit, None) => return true,
+    };
+    let at = entry.value("MATERIAL").map_or(entry.card.span, |value| value.span);
+    let title = fault.0;
+    let told = Diagnostic::error(at, title).related(scene.material_places[material], "the material");
+    diagnostics.push(told.help(fault.1));
+    false
+}
+
+/// Explicit steps move masses: materials of elements without a density are told, each once.
+fn densities(entries: &[Entry<'_>], materials: &Materials, scene: &Scene<'_>, diagnostics: &mut Diagnostics) {
+    let mut told = BTreeSet::new();
+    for entry in entries {
+        let density = entry.value("DENSITY");
+        if entry.keyword.name == "BEAM GENERAL SECTION" && density.is_none() {
+            let fault =
+                Diagnostic::error(entry.card.span, "`*BEAM GENERAL SECTION` needs `DENSITY=` in explicit steps");
+            diagnostics.push(fault.label("explicit steps move masses"));
+        }
+        let Some(material) = entry.name("MATERIAL").and_then(|name| *materials.get(&name)?) else { continue };
+        let Material { name, density, .. } = &scene.structure.materials[material];
+        if density.is_none() && told.insert(material) {
+            let fault =
+                Diagnostic::error(scene.material_places[material], format!("material `{name}` has no `*DENSITY`"));
+            diagnostics
+                .push(fault.label("explicit steps move masses").related(entry.card.span, "these elements need it"));
+        }
+    }
 }
 
 /// Thickness [L] or area [L²] of the data line; `None` when it is faulty.
@@ -171,13 +230,15 @@ pub fn line_section(
     scene: &Scene<'_>,
 ) -> LineSection {
     let material = &scene.structure.materials[material];
+    let elastic = material.response.elastic();
     LineSection {
         element,
         cells,
         name: material.name.clone(),
-        young: material.elastic.young,
-        shear: material.elastic.mu(),
+        young: elastic.young,
+        shear: elastic.mu(),
         density: material.density,
+        damping: material.damping,
         profile,
         first_axis: beams::FIRST_AXIS,
     }

@@ -2,7 +2,7 @@
 
 use super::amplitudes::Amplitudes;
 use super::nodes::line_fields;
-use super::scene::Scene;
+use super::scene::{Analysis, Scene};
 use crate::deck::card::{Token, normalized};
 use crate::deck::number::whole;
 use crate::deck::source::Span;
@@ -10,7 +10,7 @@ use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::keyword::check::Entry;
 use crate::keyword::row::Row;
 use crate::keyword::{Field, table};
-use fe_core::load::Support;
+use fe_core::load::{Prescribed, Support};
 use std::collections::HashMap;
 
 /// Named supports and the freedoms that they hold, from 0.
@@ -57,6 +57,7 @@ impl Supports {
         diagnostics: &mut Diagnostics,
     ) {
         let amplitude = amplitudes.of(entry, diagnostics);
+        let Some(prescribed) = prescribed(entry, scene, diagnostics) else { return };
         for line in scene.deck.lines(entry.card) {
             let Some(line) = read_line(entry, line, diagnostics) else { continue };
             if entry.step.is_none() && line.value != 0.0 {
@@ -64,11 +65,19 @@ impl Supports {
                 diagnostics.push(fault.help("write this `*BOUNDARY` into a step: there the value grows over the step"));
                 continue;
             }
+            if scene.analysis == Analysis::Explicit
+                && (prescribed, amplitude, entry.has("AMPLITUDE")) == (Prescribed::Displacement, None, false)
+                && line.value != 0.0
+            {
+                let fault = Diagnostic::error(line.at, "a displacement cannot jump at the start of an explicit step");
+                diagnostics.push(fault.help("give it an `AMPLITUDE`, or say `TYPE=VELOCITY`"));
+                continue;
+            }
             let Some(nodes) = scene.nodes_of(line.nodes, diagnostics) else { continue };
             existing(&line, &nodes, scene, diagnostics);
             for node in nodes {
                 for &component in line.freedoms.iter().filter(|&&c| scene.masks[node as usize] >> c & 1 == 1) {
-                    let support = Support { node, component, value: line.value, amplitude };
+                    let support = Support { node, component, prescribed, value: line.value, amplitude };
                     self.add(support, line.at, scene, diagnostics);
                 }
             }
@@ -92,6 +101,24 @@ impl Supports {
             diagnostics.push(if self.places[other] == at { fault } else { fault.related(self.places[other], first) });
         }
     }
+}
+
+/// What the values are of; `None` where the steps have no such thing, which is told.
+fn prescribed(entry: &Entry<'_>, scene: &Scene<'_>, diagnostics: &mut Diagnostics) -> Option<Prescribed> {
+    let Some(value) = entry.value("TYPE") else { return Some(Prescribed::Displacement) };
+    let prescribed = match normalized(&value.text).as_str() {
+        "VELOCITY" => Prescribed::Velocity,
+        "ACCELERATION" => Prescribed::Acceleration,
+        "DISPLACEMENT" => Prescribed::Displacement,
+        _ => return None,
+    };
+    if prescribed != Prescribed::Displacement && scene.analysis == Analysis::Static {
+        let title = format!("`TYPE={}` of `*BOUNDARY` is for explicit steps", normalized(&value.text));
+        let fault = Diagnostic::error(value.span, title);
+        diagnostics.push(fault.help("in a static step prescribe the displacement at its end"));
+        return None;
+    }
+    Some(prescribed)
 }
 
 fn read_line<'a>(
@@ -142,16 +169,25 @@ fn existing(line: &Line<'_>, nodes: &[u32], scene: &Scene<'_>, diagnostics: &mut
     if missing.is_empty() || (line.named && missing.len() < line.freedoms.len()) {
         return;
     }
-    let title = format!("no node of `{}` has freedom {}", normalized(line.nodes.text), missing.join(", "));
     // Decks for other programs hold what a rigid body around an axis does not have.
     let rigid_rings = scene.structure.is_axisymmetric() && all == scene.structure.rigid_mask();
     if missing.len() < line.freedoms.len() || (rigid_rings && line.value == 0.0) {
+        let title = format!("no node of `{}` has freedom {}", normalized(line.nodes.text), missing.join(", "));
         diagnostics.push(Diagnostic::note(line.at, title).label("left out"));
         return;
     }
-    let fault = Diagnostic::error(line.at, title);
+    diagnostics.push(without_freedom(line.nodes, &line.freedoms, nodes, scene));
+}
+
+/// Says that none of some nodes has any of these freedoms, from 0, and which they have.
+pub fn without_freedom(named: Token<'_>, freedoms: &[u8], nodes: &[u32], scene: &Scene<'_>) -> Diagnostic {
+    let all = nodes.iter().fold(0u8, |mask, &node| mask | scene.masks.get(node as usize).copied().unwrap_or(0));
+    let rigid_rings = scene.structure.is_axisymmetric() && all == scene.structure.rigid_mask();
+    let missing: Vec<String> = freedoms.iter().map(|c| (c + 1).to_string()).collect();
+    let title = format!("no node of `{}` has freedom {}", normalized(named.text), missing.join(", "));
+    let fault = Diagnostic::error(named.span, title);
     let translations = if scene.structure.is_plane() { 0b11 } else { 0b111 };
-    diagnostics.push(match all {
+    match all {
         0 => fault.label("they belong to no element"),
         _ if rigid_rings => fault.label("a rigid body around an axis moves along it only: freedom 2"),
         _ if all != translations => fault.label(format!("they have freedom {}", listed_freedoms(all))),
@@ -159,7 +195,7 @@ fn existing(line: &Line<'_>, nodes: &[u32], scene: &Scene<'_>, diagnostics: &mut
             fault.label("solids and trusses of the plane move in x and y: freedoms 1 and 2")
         }
         _ => fault.label("solids and trusses have translations only: freedoms 1 to 3"),
-    });
+    }
 }
 
 /// The freedoms of a mask as decks number them.

@@ -3,6 +3,7 @@
 use crate::element::ElementType;
 use crate::freedoms::Freedoms;
 use crate::load::{LoadKind, unit_forces};
+use crate::material::Damping;
 use crate::matrix::{BlockMatrix, Couplings, Pattern};
 use crate::member::Members;
 use crate::structure::{Discrete, LineSection, Profile, Structure};
@@ -48,6 +49,7 @@ impl Scene {
             young,
             shear,
             density,
+            damping: Damping::default(),
             profile,
             first_axis,
         });

@@ -3,7 +3,7 @@
 use crate::element::{ElementType, Space};
 use crate::linear::LinearSolver;
 use crate::linear::multifrontal::Multifrontal;
-use crate::material::{Elastic, Material};
+use crate::material::{Elastic, Material, Response};
 use crate::matrix::{BlockMatrix, Couplings, Pattern};
 use crate::solid::SolidBlock;
 use crate::structure::{Section, Structure};
@@ -71,7 +71,7 @@ impl Scene {
             ..Default::default()
         };
         let material =
-            Material { name: "M".into(), elastic: Elastic { young: 1000.0, poisson: 0.3 }, density: Some(2.0) };
+            Material { density: Some(2.0), ..Material::elastic("M", Elastic { young: 1000.0, poisson: 0.3 }) };
         let cells = mesh.cells().collect();
         let section = Section { element, cells, material: 0, thickness: 1.0 };
         let structure = Structure {
@@ -86,7 +86,7 @@ impl Scene {
     }
 
     pub fn with_material(mut self, young: f64, poisson: f64) -> Scene {
-        self.structure.materials[0].elastic = Elastic { young, poisson };
+        self.structure.materials[0].response = Response::Elastic(Elastic { young, poisson });
         self
     }
 
