@@ -124,8 +124,9 @@ impl Contact {
         let slip = slide.slip(at.du, places);
         let elastic = self.anchor(point, old, new);
         let mut answer = law.respond(Sliding { pressure, elastic, slip, dt: at.dt });
-        if normal.touches && !law.is_none() {
-            // As the pressure does: a body that just touches is held.
+        let held = pressure > 0.0 || slip == [0.0; 2];
+        if normal.touches && held && !law.is_none() {
+            // As the pressure does: a body that just touches is held, until it slips without any.
             let typical = self.law.typical_stiffness();
             for i in 0..2 {
                 answer.stiffness[i][i] = answer.stiffness[i][i].max(typical);

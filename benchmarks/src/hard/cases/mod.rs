@@ -4,6 +4,7 @@ mod edges;
 mod elements;
 mod faults;
 mod flush;
+mod friction;
 mod gaps;
 mod idle;
 mod increments;
@@ -44,6 +45,7 @@ pub const CASES: &[Case] = &[
     Case { id: "D22", name: "no_contact_or_lost", scenes: lost::none_or_lost },
     Case { id: "D23", name: "thin_itt", scenes: tubes::thin },
     Case { id: "D24", name: "no_separation", scenes: stiffness::no_separation },
+    Case { id: "D25", name: "friction_limits", scenes: friction::scenes },
     Case { id: "D27", name: "bad_elements", scenes: elements::bad },
     Case { id: "D28", name: "thin_beams", scenes: members::thin },
     Case { id: "D29", name: "face_counted", scenes: faults::faces },
