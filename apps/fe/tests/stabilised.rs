@@ -1,4 +1,4 @@
-//! D03: a block that contact alone holds, without friction: free along the plane, where nothing but stabilisation resists.
+//! D03: a block that contact alone holds: free along the plane, where stabilisation resists, or friction holds it.
 #![allow(clippy::unwrap_used)]
 
 mod common;
@@ -57,5 +57,34 @@ fn d03_what_nothing_holds_is_refused() {
         let run = scratch.fe(&["run", "block.inp", "--quiet"]);
         assert_eq!(run.status, 1, "{side} {controls}");
         assert!(run.error.contains("body BLOCK is free"), "{}", run.error);
+    }
+}
+
+/// D03 (c): friction alone holds it along the plane, and about z: it sticks, and gives the plane its side load of 0.16, below
+/// 0.3 times its weight at every corner. What is not held exactly gives way by no more than its elastic slip.
+#[test]
+fn d03_held_by_friction() {
+    for (friction, slip) in
+        [("*FRICTION, LAGRANGE\n0.3\n", 1e-12), ("*FRICTION\n0.3\n", 0.005), ("*FRICTION, ROUGH\n", 1e-12)]
+    {
+        let scratch = Scratch::new("held_by_friction");
+        // Without Poisson's ratio: a foot that widens would slip.
+        let deck = block(0.02, "").replace("1000., 0.3", "1000., 0.");
+        let deck = deck.replace("*CONTACT PAIR", &format!("{friction}*CONTACT PAIR"));
+        scratch.write("block.inp", &deck);
+        let run = scratch.fe(&["run", "block.inp"]);
+        assert_eq!(run.status, 0, "{friction}{}", run.error);
+        let note = run.output.lines().find(|l| l.contains("held by contact alone")).expect("the body is told about");
+        assert!(note.contains("body BLOCK") && note.contains("along z"), "{note}");
+        let text = tables(&scratch.read("block.dat")).unwrap();
+        let reaction = &text.iter().rev().find(|b| b.title.starts_with("forces")).unwrap().rows[0].values;
+        assert!((reaction[2] - 2.0).abs() < 1e-8 * 2.0 && (reaction[0] + 0.16).abs() < 1e-8 * 0.16, "{reaction:?}");
+        let results = Results::open(&scratch.path("block.vtkhdf"));
+        for corner in [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0, 1.0, 0.0]] {
+            let node = results.point_at(corner);
+            let value = |name: &str| results.point_field(name, 1, 4)[node];
+            assert_eq!(value("CSTATUS"), 1.0, "{friction}");
+            assert!(value("CSLIP1").hypot(value("CSLIP2")) <= slip, "{friction} {}", value("CSLIP1"));
+        }
     }
 }
