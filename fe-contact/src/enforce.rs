@@ -138,10 +138,11 @@ impl Contact {
         });
         let worst = self.worst(&multipliers, at, largest, excesses);
         let points = self.points.len();
-        let mut take = |(i, pressure): (usize, &f64)| new[points + i] = pressure / slope;
+        // What the law asks of a point that is prescribed may be out of all proportion once a later step lets go of it.
+        let mut take =
+            |(i, pressure): (usize, &f64)| new[points + i] = if is_stuck(i) { 0.0 } else { pressure / slope };
         match worst {
             Some(_) => pressures.iter().enumerate().for_each(take),
-            // Where a later step lets go of those, they go on from here.
             None => stuck.for_each(&mut take),
         }
         worst
