@@ -62,14 +62,19 @@ impl Contact {
             Main::Rigid { reference, .. } => Some(*reference),
             Main::Faces(_) => None,
         };
-        let measure = measures((structure, definition), &sides, interaction, discretization);
-        let space = if structure.is_plane() { Space::Plane } else { Space::Solid };
-        let slides = interaction.acts_along().then_some(space);
+        let line = match &definition.secondary {
+            Secondary::Lines(cells) => line::nodes(structure, cells),
+            Secondary::Faces(_) | Secondary::Nodes(_) => BTreeMap::new(),
+        };
+        let measure = measures((definition, &line), &sides, interaction, discretization);
+        let across = if structure.is_plane() { Space::Plane } else { Space::Solid };
+        let space = |node: u32| line.get(&node).map_or(across, |n| Space::Led(n.direction));
         let points: Vec<ContactPoint> = constraints
             .shares
             .into_iter()
             .map(|s| {
                 let measure = measure(s.node, s.weight);
+                let slides = interaction.acts_along().then(|| space(s.node));
                 s.into_point(measure, freedoms, reference, slides)
             })
             .collect();
@@ -358,9 +363,9 @@ fn begins_inside(
     ))
 }
 
-/// How much surface each node stands for; the second argument is the area of the overlap.
+/// How much surface each node stands for, of a secondary line with its nodes; the second argument is the area of the overlap.
 fn measures(
-    (structure, definition): (&Structure, &PairDefinition),
+    (definition, line): (&PairDefinition, &BTreeMap<u32, line::Node>),
     sides: &Prepared,
     interaction: &Interaction,
     discretization: Discretization,
@@ -374,9 +379,7 @@ fn measures(
             let area = |a: Option<f64>| a.or(interaction.measure).map_or(Measure::Point, Measure::Area);
             list.iter().rev().map(|&(n, a)| (n, area(a))).collect()
         }
-        (Secondary::Lines(cells), _) => {
-            line::lengths(structure, cells).into_iter().map(|(n, length)| (n, Measure::Length(length))).collect()
-        }
+        (Secondary::Lines(_), _) => line.iter().map(|(&n, node)| (n, Measure::Length(node.length))).collect(),
     };
     move |node, overlap| areas.get(&node).copied().unwrap_or(Measure::Area(overlap))
 }

@@ -2,6 +2,7 @@
 
 use super::{Friction, Stick};
 use crate::facet::{Facet, Vec3};
+use crate::line;
 use crate::pair::PairDefinition;
 use crate::sides::characteristic_length;
 use crate::surface::{Main, Secondary};
@@ -18,7 +19,8 @@ pub struct Reference {
 }
 
 impl Reference {
-    /// The mean length of all secondary facets of all pairs, or of all main ones where there are none, or 1.
+    /// The mean length of all secondary facets of all pairs, or of all secondary lines where there are none, or of all main
+    /// facets, or 1.
     pub fn of(structure: &Structure, pairs: &[PairDefinition]) -> Self {
         let secondary = pairs.iter().filter_map(|pair| match &pair.secondary {
             Secondary::Faces(faces) => Some(faces.as_slice()),
@@ -30,6 +32,13 @@ impl Reference {
         });
         if let Some(length) = mean_length(structure, secondary) {
             return Reference { length, of: "the mean length of all secondary facets", usual: true };
+        }
+        let lines = pairs.iter().filter_map(|pair| match &pair.secondary {
+            Secondary::Lines(cells) => Some(cells),
+            Secondary::Faces(_) | Secondary::Nodes(_) => None,
+        });
+        if let Some(length) = line::mean_length(structure, lines.flatten()) {
+            return Reference { length, of: "the mean length of all secondary lines", usual: true };
         }
         let of = "the mean length of all main facets, as no secondary surface has any";
         let of_main = mean_length(structure, main).map(|length| Reference { length, of, usual: false });
