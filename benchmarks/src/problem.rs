@@ -109,7 +109,7 @@ impl Scene {
     pub fn structure(&self, elastic: Elastic) -> Structure {
         let section = |&(set, element): &(&str, ElementType)| {
             let cells = self.mesh.cell_sets[set].clone();
-            Section { element, cells, material: 0, thickness: 1.0 }
+            Section { element, cells, material: 0, thickness: 1.0, hourglass: None }
         };
         let of_kind = |block: &CellBlock| self.elements.iter().map(|(_, e)| *e).find(|e| e.kind() == block.kind);
         Structure {

@@ -56,6 +56,7 @@ fn patch(elements: [ElementType; 2], lower: [usize; 3], upper: [usize; 3]) -> Pa
         cells: mesh.cell_sets[set].clone(),
         material: 0,
         thickness: if element.space() == Space::Axisymmetric || element.space() == Space::Solid { 1.0 } else { 2.5 },
+        hourglass: None,
     };
     let sections = vec![section(below, "LOW_BLOCK"), section(above, "UP_BLOCK")];
     let elastic = Elastic { young: 1000.0, poisson: 0.3 };

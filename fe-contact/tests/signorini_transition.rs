@@ -55,7 +55,8 @@ fn solve(element: ElementType, n: usize, discretization: Discretization, direct:
     let reference = mesh.points.len() as u32;
     mesh.points.push([0.0, -1.0, 0.0]);
     mesh.point_labels.push(u64::from(reference) + 1);
-    let section = Section { element, cells: mesh.cell_sets["BLOCK"].clone(), material: 0, thickness: 1.0 };
+    let section =
+        Section { element, cells: mesh.cell_sets["BLOCK"].clone(), material: 0, thickness: 1.0, hourglass: None };
     let materials = vec![Material::elastic("M", ELASTIC)];
     let structure =
         Structure { mesh, elements: vec![element], materials, sections: vec![section], ..Structure::default() };

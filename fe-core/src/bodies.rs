@@ -181,7 +181,7 @@ mod tests {
         let block = CellBlock { kind: CellKind::Quad4, labels: vec![1, 2], nodes: (0..8).collect() };
         let mesh = Mesh { point_labels: (1..=9).collect(), points, blocks: vec![block], ..Mesh::default() };
         let cells = (0..2).map(|cell| CellId { block: 0, cell }).collect();
-        let section = Section { element: ElementType::CPE4, cells, material: 0, thickness: 1.0 };
+        let section = Section { element: ElementType::CPE4, cells, material: 0, thickness: 1.0, hourglass: None };
         Structure {
             mesh,
             elements: vec![ElementType::CPE4],

@@ -15,6 +15,10 @@ pub enum ElementType {
     CPS4,
     CAX3,
     CAX4,
+    C3D8R,
+    CPE4R,
+    CPS4R,
+    CAX4R,
     T2D2,
     T3D2,
     T3D3,
@@ -34,6 +38,9 @@ pub enum ElementType {
     GAPSPHER,
     ITT21,
     ITT31,
+    R2D2,
+    R3D3,
+    R3D4,
 }
 
 /// What kind of thing an element is.
@@ -55,6 +62,8 @@ pub enum Family {
     Gap,
     /// Contact of a node with a line of others, tube in tube.
     Tube,
+    /// A facet of a rigid body, whose nodes follow its reference node.
+    Rigid,
 }
 
 /// What the space around an element looks like.
@@ -77,7 +86,7 @@ pub enum Space {
 use ElementType::*;
 
 /// One line an element: type, name, shape, family, space.
-const TABLE: [(ElementType, &str, CellKind, Family, Space); 28] = [
+const TABLE: [(ElementType, &str, CellKind, Family, Space); 35] = [
     (C3D4, "C3D4", CellKind::Tet4, Family::Solid, Space::Solid),
     (C3D10, "C3D10", CellKind::Tet10, Family::Solid, Space::Solid),
     (C3D8, "C3D8", CellKind::Hex8, Family::Solid, Space::Solid),
@@ -87,6 +96,10 @@ const TABLE: [(ElementType, &str, CellKind, Family, Space); 28] = [
     (CPS4, "CPS4", CellKind::Quad4, Family::Solid, Space::PlaneStress),
     (CAX3, "CAX3", CellKind::Tri3, Family::Solid, Space::Axisymmetric),
     (CAX4, "CAX4", CellKind::Quad4, Family::Solid, Space::Axisymmetric),
+    (C3D8R, "C3D8R", CellKind::Hex8, Family::Solid, Space::Solid),
+    (CPE4R, "CPE4R", CellKind::Quad4, Family::Solid, Space::PlaneStrain),
+    (CPS4R, "CPS4R", CellKind::Quad4, Family::Solid, Space::PlaneStress),
+    (CAX4R, "CAX4R", CellKind::Quad4, Family::Solid, Space::Axisymmetric),
     (T2D2, "T2D2", CellKind::Line2, Family::Truss, Space::Plane),
     (T3D2, "T3D2", CellKind::Line2, Family::Truss, Space::Solid),
     (T3D3, "T3D3", CellKind::Line3, Family::Truss, Space::Solid),
@@ -106,6 +119,9 @@ const TABLE: [(ElementType, &str, CellKind, Family, Space); 28] = [
     (GAPSPHER, "GAPSPHER", CellKind::Line2, Family::Gap, Space::Any),
     (ITT21, "ITT21", CellKind::Point1, Family::Tube, Space::Plane),
     (ITT31, "ITT31", CellKind::Point1, Family::Tube, Space::Solid),
+    (R2D2, "R2D2", CellKind::Line2, Family::Rigid, Space::Plane),
+    (R3D3, "R3D3", CellKind::Tri3, Family::Rigid, Space::Solid),
+    (R3D4, "R3D4", CellKind::Quad4, Family::Rigid, Space::Solid),
 ];
 
 /// The first types of the table.
@@ -122,8 +138,11 @@ impl ElementType {
     /// All of them.
     pub const ALL: [ElementType; TABLE.len()] = first();
 
-    /// The solids.
+    /// The solids with as many integration points as they need.
     pub const SOLIDS: [ElementType; 9] = first();
+
+    /// The solids with one integration point, for explicit steps: hourglass control holds the rest of their shape.
+    pub const REDUCED: [ElementType; 4] = [C3D8R, CPE4R, CPS4R, CAX4R];
 
     /// As decks write it.
     pub const fn name(self) -> &'static str {
@@ -151,10 +170,10 @@ impl ElementType {
     }
 
     /// The freedoms, a bit each, that the element gives to its nodes in a space of so many dimensions: translations,
-    /// and rotations where it bends. What the section of a spring or dashpot names comes on top.
+    /// and rotations where it bends; facets of rigid bodies give none. What the section of a spring or dashpot names comes on top.
     pub const fn freedoms(self, dimension: usize) -> u8 {
         match (self, dimension) {
-            (SPRING1 | SPRING2 | DASHPOT1 | DASHPOT2, _) => 0,
+            (SPRING1 | SPRING2 | DASHPOT1 | DASHPOT2 | R2D2 | R3D3 | R3D4, _) => 0,
             (B21 | B23, _) => 0b100011,
             (B31 | B33, _) => 0b111111,
             (_, 2) => 0b11,
@@ -182,7 +201,8 @@ mod tests {
         for (i, entry) in TABLE.iter().enumerate() {
             assert_eq!(entry.0 as usize, i, "{}", entry.1);
             assert_eq!(ElementType::from_name(entry.1), Some(entry.0));
-            assert_eq!(ElementType::SOLIDS.contains(&entry.0), entry.3 == Family::Solid, "{}", entry.1);
+            let solid = ElementType::SOLIDS.contains(&entry.0) || ElementType::REDUCED.contains(&entry.0);
+            assert_eq!(solid, entry.3 == Family::Solid, "{}", entry.1);
         }
     }
 }

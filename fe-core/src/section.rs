@@ -16,6 +16,28 @@ pub struct Section {
     pub material: usize,
     /// Thickness [L] of plane elements; 1 otherwise.
     pub thickness: f64,
+    /// Hourglass control of elements with one integration point, where the deck says which.
+    pub hourglass: Option<Hourglass>,
+}
+
+/// How elements with one integration point resist the motions that do not strain it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Hourglass {
+    /// Kind of resistance.
+    pub control: HourglassControl,
+    /// Factor [-] on the usual resistance, > 0.
+    pub scale: f64,
+}
+
+/// Kinds of hourglass control: Abaqus Analysis User's Guide, Section controls.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum HourglassControl {
+    /// By an assumed strain: exact in bending of elastic bricks.
+    Enhanced,
+    /// A force against the hourglass displacement.
+    Stiffness,
+    /// A force against the hourglass velocity.
+    Viscous,
 }
 
 /// Trusses or beams of one element type with one material and one cross-section.

@@ -3,7 +3,7 @@
 use crate::element::{ElementType, Space};
 use crate::freedoms::Freedoms;
 use crate::material::Material;
-pub use crate::section::{Discrete, LineSection, Profile, Section};
+pub use crate::section::{Discrete, Hourglass, HourglassControl, LineSection, Profile, Section};
 use fe_mesh::{CellId, Mesh};
 
 /// Mesh, materials and sections. Every mesh block is of one element type; points that belong to no cell
@@ -16,7 +16,8 @@ pub struct Structure {
     pub elements: Vec<ElementType>,
     /// Materials.
     pub materials: Vec<Material>,
-    /// Sections of solids; with those below they hold every cell that is no contact element exactly once.
+    /// Sections of solids; with those below they hold every cell exactly once that is neither a contact element
+    /// nor a facet of a rigid body.
     pub sections: Vec<Section>,
     /// Trusses and beams.
     pub lines: Vec<LineSection>,

@@ -27,7 +27,7 @@ impl Beam {
     fn new() -> Self {
         let mesh = Block::hex8([12, 3, 3]).size([6.0, 1.0, 1.0]).mesh();
         let cells = mesh.cell_sets["BLOCK"].clone();
-        let section = Section { element: ElementType::C3D8, cells, material: 0, thickness: 1.0 };
+        let section = Section { element: ElementType::C3D8, cells, material: 0, thickness: 1.0, hourglass: None };
         let elastic = Elastic { young: 2.1e5, poisson: 0.3 };
         let materials = vec![Material::elastic("M", elastic)];
         let structure = Structure {

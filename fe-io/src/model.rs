@@ -9,6 +9,7 @@ use fe_core::amplitude::Amplitude;
 use fe_core::load::{Load, Support};
 use fe_core::step::Procedure;
 use fe_core::structure::Structure;
+use fe_mesh::CellId;
 use std::sync::Arc;
 
 /// Where in a deck something stands.
@@ -37,8 +38,8 @@ pub struct Model {
     pub gaps: Vec<(GapDefinition, Place)>,
     /// Tube-to-tube elements, each with the place of its card.
     pub tubes: Vec<(TubeDefinition, Place)>,
-    /// Reference nodes of rigid bodies, ascending.
-    pub references: Vec<u32>,
+    /// Rigid bodies.
+    pub rigid_bodies: Vec<RigidBody>,
     /// Supports of the model data: they hold from the start.
     pub supports: Vec<Support>,
     /// Velocities at the start of an explicit job: node, freedom 0..6, value [L/T or rad/T]; each freedom once, in the
@@ -48,6 +49,27 @@ pub struct Model {
     pub steps: Vec<Step>,
     /// Remarks on the deck that do not stop the run (cards without effect here), a line each.
     pub notes: Vec<String>,
+}
+
+impl Model {
+    /// Reference nodes of rigid bodies, ascending, each once.
+    pub fn references(&self) -> Vec<u32> {
+        let mut references: Vec<u32> = self.rigid_bodies.iter().map(|body| body.reference).collect();
+        references.sort_unstable();
+        references.dedup();
+        references
+    }
+}
+
+/// What moves with a reference node: an analytical surface, facets, or both.
+#[derive(Clone, Debug, PartialEq)]
+pub struct RigidBody {
+    /// Node index.
+    pub reference: u32,
+    /// Facets (R2D2, R3D3, R3D4), ascending; their nodes have no freedoms of their own, and belong to no other body.
+    pub cells: Vec<CellId>,
+    /// Name of the analytical surface.
+    pub surface: Option<String>,
 }
 
 /// What `OP=` says of a card's kind in a step.

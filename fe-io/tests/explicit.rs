@@ -1,9 +1,12 @@
 //! What decks for explicit dynamics say, and what the model holds of it.
 
 use fe_core::amplitude::Course;
+use fe_core::element::ElementType;
 use fe_core::load::Prescribed;
 use fe_core::material::{Damping, Elastic, Hardening, NeoHooke, Response};
 use fe_core::step::{Displacements, Explicit, IncrementChoice, Procedure};
+use fe_core::structure::{Hourglass, HourglassControl};
+use fe_io::model::RigidBody;
 use fe_io::{Deck, Library, Model, resolve};
 
 const CUBE: &str = include_str!("good/explicit_cube.inp");
@@ -77,4 +80,31 @@ fn materials_and_velocities() {
     let wanted: Vec<_> = wanted.zip([(4, 0.1), (5, -1.0), (6, 2.0)]).map(|(p, (node, v))| (node, p, v)).collect();
     assert_eq!(supports, wanted);
     assert_eq!(model.amplitudes[0].course, Course::SmoothStep);
+}
+
+/// Facets of rigid bodies, their sides, masses at reference nodes, and elements with one integration point.
+#[test]
+fn rigid_bodies_and_reduced_elements() {
+    let text = CUBE.replace("TYPE=C3D8", "TYPE=C3D8R").replace("MATERIAL=STEEL", "MATERIAL=STEEL, CONTROLS=SOFT");
+    let data = "*SECTION CONTROLS, NAME=SOFT, HOURGLASS=VISCOUS\n0.5\n*NODE\n11, 0., 0., -1.\n12, 1., 0., -1.\n13, 1., 1., -1.\n\
+                14, 0., 1., -1.\n15, 2., 0., -1.\n19, 0., 0., -2.\n*ELEMENT, TYPE=R3D3, ELSET=FLOOR\n12, 12, 15, 13\n\
+                *ELEMENT, TYPE=R3D4, ELSET=FLOOR\n11, 11, 12, 13, 14\n*RIGID BODY, ELSET=FLOOR, REF NODE=19\n\
+                *ELEMENT, TYPE=MASS, ELSET=M\n30, 19\n*MASS, ELSET=M\n1.\n*SURFACE, NAME=UP\nFLOOR, SPOS\n\
+                *SURFACE, NAME=DOWN\nFLOOR, SNEG\n*STEP";
+    let model = read(&text.replace("*STEP", data)).unwrap_or_else(|faults| panic!("{faults}"));
+    let structure = &model.structure;
+    let (section, hourglass) = (&structure.sections[0], Hourglass { control: HourglassControl::Viscous, scale: 0.5 });
+    assert_eq!((section.element, section.hourglass), (ElementType::C3D8R, Some(hourglass)));
+    let floor = &structure.mesh.cell_sets["FLOOR"];
+    let body = RigidBody { reference: 13, cells: floor.clone(), surface: None };
+    assert_eq!((&model.rigid_bodies, model.references()), (&vec![body], vec![13]));
+    let corners = |surface: &str| -> Vec<Vec<u32>> {
+        structure.mesh.surfaces[surface].iter().map(|face| structure.mesh.face(*face).1).collect()
+    };
+    assert_eq!(corners("UP"), [vec![9, 12, 10], vec![8, 9, 10, 11]]);
+    assert_eq!(corners("DOWN"), [vec![9, 10, 12], vec![8, 11, 10, 9]]);
+    // Nodes of facets have no freedoms, the reference node has those of its body.
+    let masks = structure.masks();
+    assert_eq!(masks[8..13], [0; 5]);
+    assert_eq!(structure.freedoms(&model.references()).of_node(13).len(), 6);
 }

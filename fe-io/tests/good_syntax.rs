@@ -98,7 +98,7 @@ fn contact_cards() {
     assert_eq!(pairs[1].0.adjust, Some(Adjust::Within(0.05)));
     assert_eq!(pairs[2].0.adjust, Some(Adjust::Nodes(vec![8, 9])));
     assert!(pairs.windows(2).all(|two| two[0].1 < two[1].1));
-    assert_eq!(model.references, vec![16]);
+    assert_eq!(model.references(), vec![16]);
     // Free faces of the upper cube: all but none are shared, six faces.
     assert_eq!(model.structure.mesh.surfaces["SKIN"].len(), 6);
 }

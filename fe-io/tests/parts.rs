@@ -35,7 +35,7 @@ fn an_instance_is_moved_then_turned() {
     // The floor, too: its plane z = 0 lies at z = −2.
     let Main::Rigid { surface, reference } = &model.pairs[1].0.main else { panic!("{:?}", model.pairs[1]) };
     assert!(matches!(surface.sweep, fe_contact::rigid::Sweep::Cylinder { origin: [0.0, 0.0, -2.0], .. }));
-    assert_eq!((*reference, &model.references), (24, &vec![24]));
+    assert_eq!((*reference, &model.references()), (24, &vec![24]));
 }
 
 /// Sets of a part belong to its instances, sets of the assembly add up over instances.

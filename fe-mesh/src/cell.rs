@@ -86,6 +86,7 @@ impl CellKind {
     /// The faces in the decks' numbering (S1 first): kind and local nodes of each, ordered so that the normal
     /// by the right-hand rule points out of the cell. A plane cell's faces are its edges, traversed
     /// counter-clockwise, the body on the left; a line in the plane has two sides. Empty for kinds that carry no element yet.
+    /// What a plane cell has in space stands in [`CellKind::sides`].
     pub const fn faces(self) -> &'static [(CellKind, &'static [usize])] {
         match self {
             // SPOS, SNEG: the normal of SPOS is on the left of the way from the first node to the second.
@@ -129,9 +130,34 @@ impl CellKind {
     }
 }
 
+impl CellKind {
+    /// The two sides of a plane cell in space, SPOS, whose normal follows from the order of the nodes by the right-hand
+    /// rule, and SNEG; empty for the other kinds.
+    pub const fn sides(self) -> &'static [(CellKind, &'static [usize])] {
+        match self {
+            Tri3 => &[(Tri3, &[0, 1, 2]), (Tri3, &[0, 2, 1])],
+            Quad4 => &[(Quad4, &[0, 1, 2, 3]), (Quad4, &[0, 3, 2, 1])],
+            _ => &[],
+        }
+    }
+
+    /// Kind and local nodes of a face by its number: the sides count on after the faces.
+    pub fn face(self, number: u8) -> (CellKind, &'static [usize]) {
+        let (number, faces) = (usize::from(number), self.faces());
+        if number < faces.len() { faces[number] } else { self.sides()[number - faces.len()] }
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn sides_follow_the_faces() {
+        assert_eq!(Quad4.face(3), (Line2, &[3usize, 0][..]));
+        assert_eq!(Quad4.face(4), (Quad4, &[0usize, 1, 2, 3][..]));
+        assert_eq!(Tri3.face(4), (Tri3, &[0usize, 2, 1][..]));
+    }
 
     /// Every edge of a closed cell is walked once in each direction by its faces: the faces are oriented alike.
     #[test]

@@ -150,7 +150,7 @@ impl Mesh {
 
     /// Kind and points of a face, normal outward.
     pub fn face(&self, face: Face) -> (CellKind, Vec<u32>) {
-        let (kind, local) = self.kind(face.cell).faces()[face.face as usize];
+        let (kind, local) = self.kind(face.cell).face(face.face);
         let cell = self.cell(face.cell);
         (kind, local.iter().map(|&i| cell[i]).collect())
     }

@@ -56,7 +56,7 @@ impl Terms {
             let points = &mut Arc::make_mut(&mut structure).mesh.points;
             moves.iter().for_each(|m| points[m.node as usize] = m.to);
         }
-        let freedoms = structure.freedoms(&model.references);
+        let freedoms = structure.freedoms(&model.references());
         let mut interactions = model.interactions.clone();
         let rubs = interactions.iter().any(|interaction| interaction.friction.is_some());
         let slip = rubs.then(|| slip::Reference::of(&structure, &definitions));
@@ -95,7 +95,7 @@ impl Terms {
             solids.push(SolidBlock::new(&structure, section, &freedoms).map_err(|e| e.to_string())?);
         }
         let members = members(&structure, &freedoms).map_err(|e| e.to_string())?;
-        let bodies = bodies(&structure, &model.references);
+        let bodies = bodies(&structure, &model.references());
         notes.extend(thin_beams(&structure, &bodies));
         Ok(Terms { structure, freedoms, solids, members, contacts, bodies, slip, notes, search_seconds })
     }

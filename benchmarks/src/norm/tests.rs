@@ -8,7 +8,7 @@ use fe_mesh::generate::Block;
 fn structure(element: ElementType, mut mesh: Mesh) -> Structure {
     let cells = mesh.cell_sets["BLOCK"].clone();
     mesh.points.push([9.0; 3]);
-    let section = Section { element, cells, material: 0, thickness: 1.0 };
+    let section = Section { element, cells, material: 0, thickness: 1.0, hourglass: None };
     let elastic = Elastic { young: 1000.0, poisson: 0.25 };
     let materials = vec![Material::elastic("M", elastic)];
     Structure { mesh, elements: vec![element], materials, sections: vec![section], ..Structure::default() }

@@ -56,7 +56,13 @@ impl Scene {
         self.structure.elements.push(element);
         let elastic = Elastic { young: 1000.0, poisson: 0.3 };
         self.structure.materials.push(Material::elastic("M", elastic));
-        self.structure.sections.push(Section { element, cells: all, material: index as usize, thickness: 1.0 });
+        self.structure.sections.push(Section {
+            element,
+            cells: all,
+            material: index as usize,
+            thickness: 1.0,
+            hourglass: None,
+        });
         index
     }
 

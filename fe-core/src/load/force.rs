@@ -165,7 +165,7 @@ impl Forces<'_> {
                 let node = structure.mesh.cell(cell)[0];
                 (0..structure.dimension()).try_for_each(|i| self.add(node, i, mass * direction[i]))
             }
-            Family::Spring | Family::Dashpot | Family::Gap | Family::Tube => Ok(()),
+            Family::Spring | Family::Dashpot | Family::Gap | Family::Tube | Family::Rigid => Ok(()),
         }
     }
 

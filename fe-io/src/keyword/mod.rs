@@ -66,6 +66,7 @@ pub const CARDS: &[&Keyword] = &[
     &material::DENSITY,
     &material::DAMPING,
     &solid_section::SOLID_SECTION,
+    &solid_section::SECTION_CONTROLS,
     &beam_section::BEAM_SECTION,
     &beam_section::BEAM_GENERAL_SECTION,
     &discrete::SPRING,

@@ -136,7 +136,6 @@ pub(super) const CARDS: &[(&[&str], &str)] = &[
             "ROTARY INERTIA",
             "JOINT",
             "HOURGLASS STIFFNESS",
-            "SECTION CONTROLS",
             "TRANSVERSE SHEAR STIFFNESS",
             "NODAL THICKNESS",
             "NORMAL",

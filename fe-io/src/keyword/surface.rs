@@ -39,7 +39,7 @@ pub const SURFACE: Keyword = Keyword {
     data: Data::Lines(&[
         DataLine::many(&[
             Field::word("element or set", "label of an element, or an element set"),
-            Field::word("face", "S1 to S6 of solids; SPOS or SNEG of trusses and beams in the plane: the side on the left or on the right, going from the first node to the second")
+            Field::word("face", "S1 to S6 of solids; SPOS or SNEG of trusses, beams and rigid facets in the plane: the side on the left or on the right, going from the first node to the second; of rigid facets in space: the side from which the nodes run counter-clockwise, or the other")
                 .or("faces of these solids that no other element shares; trusses and beams in space as lines, which are secondary"),
         ])
         .when("TYPE=ELEMENT"),

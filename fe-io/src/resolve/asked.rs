@@ -11,7 +11,7 @@ use fe_mesh::CellId;
 pub enum Asked {
     /// `S1` to `S6` of solids, from 0.
     Face(u8),
-    /// `SPOS` (0) or `SNEG` (1) of trusses and beams in the plane.
+    /// `SPOS` (0) or `SNEG` (1) of trusses and beams in the plane, and of rigid facets.
     Side(u8),
     /// Blank: free faces of solids, all of a truss or beam in space.
     Free,
@@ -68,6 +68,7 @@ fn has(element: ElementType, asked: Asked) -> bool {
         (Family::Solid, Asked::Face(face)) => usize::from(face) < element.kind().faces().len(),
         (Family::Truss | Family::Beam, Asked::Free) => is_line(element),
         (Family::Truss | Family::Beam, Asked::Side(_)) => !is_line(element),
+        (Family::Rigid, Asked::Side(_)) => true,
         _ => false,
     }
 }
@@ -77,7 +78,7 @@ fn offer(element: ElementType) -> String {
     match element.family() {
         Family::Solid => format!("{name} has S1 to S{}", element.kind().faces().len()),
         Family::Truss | Family::Beam if is_line(element) => format!("{name} is a line: leave the face blank"),
-        Family::Truss | Family::Beam => format!("{name} has SPOS and SNEG"),
+        Family::Truss | Family::Beam | Family::Rigid => format!("{name} has SPOS and SNEG"),
         _ => format!("{name} makes no surface"),
     }
 }

@@ -1,25 +1,25 @@
 //! `*ELEMENT`.
 
-use super::scene::Scene;
+use super::scene::{Analysis, Scene};
 use crate::deck::card::{Line, Token};
 use crate::deck::number::whole;
 use crate::deck::source::Span;
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::keyword::check::Entry;
-use fe_core::element::ElementType;
+use fe_core::element::{ElementType, Family};
 use fe_mesh::{CellId, CellKind};
 
 /// Element types that decks know and this program does not.
 const NOT_YET: &[&str] = &[
-    "C3D6", "C3D15", "C3D20", "C3D20R", "C3D27", "C3D8R", "C3D8I", "C3D8H", "C3D8RH", "C3D20H", "C3D20RH", "C3D10M",
-    "C3D10H", "C3D10MH", "C3D10T", "C3D4H", "C3D5", "C3D13", "C3D6H", "C3D15H", "CPE4R", "CPE4I", "CPE4H", "CPE4RH",
-    "CPE6", "CPE6M", "CPE6H", "CPE8", "CPE8R", "CPE8H", "CPE8RH", "CPE3H", "CPS4R", "CPS4I", "CPS6", "CPS6M", "CPS8",
-    "CPS8R", "CAX4R", "CAX4I", "CAX4H", "CAX4RH", "CAX6", "CAX6M", "CAX6H", "CAX8", "CAX8R", "CAX8H", "CAX8RH",
-    "CAX3H", "CGAX3", "CGAX4", "CGAX6", "CGAX8", "S3", "S3R", "S4", "S4R", "S6", "S8", "S8R", "S8R5", "S9R5", "STRI3",
-    "STRI65", "M3D3", "M3D4", "M3D4R", "M3D6", "M3D8", "M3D8R", "SFM3D3", "SFM3D4", "SFM3D4R", "SC6R", "SC8R", "T2D3",
-    "B22", "B31R", "B32", "B32R", "PIPE21", "PIPE31", "PIPE32", "FRAME3D", "ROTARYI", "GAPUNIT", "ISL21A", "ISL22A",
-    "IRS21", "IRS22", "IRS3", "IRS4", "IRS9", "R2D2", "R3D3", "R3D4", "RAX2", "RB2D2", "RB3D2", "CONN2D2", "CONN3D2",
-    "COH2D4", "COH3D6", "COH3D8", "COHAX4", "DCOUP3D", "JOINTC", "CIN3D8", "CINPE4", "CINPS4", "CINAX4",
+    "C3D6", "C3D15", "C3D20", "C3D20R", "C3D27", "C3D8I", "C3D8H", "C3D8RH", "C3D20H", "C3D20RH", "C3D10M", "C3D10H",
+    "C3D10MH", "C3D10T", "C3D4H", "C3D5", "C3D13", "C3D6H", "C3D15H", "CPE4I", "CPE4H", "CPE4RH", "CPE6", "CPE6M",
+    "CPE6H", "CPE8", "CPE8R", "CPE8H", "CPE8RH", "CPE3H", "CPS4I", "CPS6", "CPS6M", "CPS8", "CPS8R", "CAX4I", "CAX4H",
+    "CAX4RH", "CAX6", "CAX6M", "CAX6H", "CAX8", "CAX8R", "CAX8H", "CAX8RH", "CAX3H", "CGAX3", "CGAX4", "CGAX6",
+    "CGAX8", "S3", "S3R", "S4", "S4R", "S6", "S8", "S8R", "S8R5", "S9R5", "STRI3", "STRI65", "M3D3", "M3D4", "M3D4R",
+    "M3D6", "M3D8", "M3D8R", "SFM3D3", "SFM3D4", "SFM3D4R", "SC6R", "SC8R", "T2D3", "B22", "B31R", "B32", "B32R",
+    "PIPE21", "PIPE31", "PIPE32", "FRAME3D", "ROTARYI", "GAPUNIT", "ISL21A", "ISL22A", "IRS21", "IRS22", "IRS3",
+    "IRS4", "IRS9", "RAX2", "RB2D2", "RB3D2", "CONN2D2", "CONN3D2", "COH2D4", "COH3D6", "COH3D8", "COHAX4", "DCOUP3D",
+    "JOINTC", "CIN3D8", "CINPE4", "CINPS4", "CINAX4",
 ];
 
 /// The element type of a name; one that is not there is told.
@@ -44,11 +44,26 @@ pub fn element_type(name: &str, at: Span, diagnostics: &mut Diagnostics) -> Opti
     element
 }
 
+/// Refuses an element type that the steps of the job have no use for.
+pub fn suits(element: ElementType, at: Span, scene: &Scene<'_>, diagnostics: &mut Diagnostics) {
+    let (steps, instead) = match (scene.analysis, element.family()) {
+        (Analysis::Static, Family::Rigid) => ("explicit", "give rigid bodies an analytical surface".to_owned()),
+        (Analysis::Static, Family::Solid) if ElementType::REDUCED.contains(&element) => {
+            ("explicit", format!("`{}` is there, and does not lock", element.name().trim_end_matches('R')))
+        }
+        (Analysis::Explicit, Family::Gap | Family::Tube) => ("static", "pairs of surfaces are there".to_owned()),
+        _ => return,
+    };
+    let fault = Diagnostic::error(at, format!("elements of type `{}` are for {steps} steps", element.name()));
+    diagnostics.push(fault.help(instead));
+}
+
 /// Reads the elements of a card.
 pub fn read(entry: &Entry<'_>, scene: &mut Scene<'_>, diagnostics: &mut Diagnostics) {
     let Some(value) = entry.value("TYPE") else { return };
     let name = crate::deck::card::normalized(&value.text);
     let element = element_type(&name, value.span, diagnostics);
+    element.into_iter().for_each(|element| suits(element, value.span, scene, diagnostics));
     let mut reading = Reading { element, block: element.map(|e| scene.block_of(e)), label: None, nodes: Vec::new() };
     let first = scene.cells.len();
     let mut lines = scene.deck.lines(entry.card).peekable();

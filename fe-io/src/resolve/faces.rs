@@ -7,7 +7,7 @@ use std::collections::HashMap;
 type Corners = [u32; 4];
 
 fn corners(mesh: &Mesh, face: Face) -> Corners {
-    let (kind, local) = mesh.kind(face.cell).faces()[face.face as usize];
+    let (kind, local) = mesh.kind(face.cell).face(face.face);
     let count = match kind {
         CellKind::Line2 | CellKind::Line3 => 2,
         CellKind::Tri3 | CellKind::Tri6 => 3,

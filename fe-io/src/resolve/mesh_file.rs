@@ -1,6 +1,6 @@
 //! `*MESH`: the only place that knows of gmsh files.
 
-use super::elements::{element_type, register};
+use super::elements::{element_type, register, suits};
 use super::nodes;
 use super::scene::{Scene, Surface};
 use crate::deck::bytes_of;
@@ -64,6 +64,7 @@ fn element_types(
         let row = Row::read(line, nodes::fields(entry), diagnostics);
         let (Some(group), Some(word), true) = (row.token(0), row.token(1), row.sound) else { continue };
         let element = element_type(&normalized(word.text), word.span, diagnostics);
+        element.into_iter().for_each(|element| suits(element, word.span, scene, diagnostics));
         let Some(element) = element else { continue };
         let found = file
             .groups_named(group.text)

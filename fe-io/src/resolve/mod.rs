@@ -34,6 +34,7 @@ mod procedures;
 mod quality;
 mod requests;
 mod rigid;
+mod rigid_bodies;
 mod scene;
 mod sections;
 mod sets;
@@ -132,9 +133,6 @@ pub fn resolve(deck: &Deck, library: &Library) -> Result<Model, Diagnostics> {
     if diagnostics.faults() > 0 {
         return Err(diagnostics);
     }
-    let mut references: Vec<u32> = scene.references.into_values().collect();
-    references.sort_unstable();
-    references.dedup();
     Ok(Model {
         heading: heading(&entries, deck),
         structure: Arc::new(scene.structure),
@@ -143,7 +141,7 @@ pub fn resolve(deck: &Deck, library: &Library) -> Result<Model, Diagnostics> {
         pairs: contact_pairs,
         gaps,
         tubes: tubes.list,
-        references,
+        rigid_bodies: scene.rigid_bodies.into_iter().map(|(body, _)| body).collect(),
         supports: supports.items,
         initial_velocities: velocities.items,
         steps,
@@ -203,7 +201,9 @@ fn bodies<'a>(entries: &[Entry<'a>], (scene, tubes): (&mut Scene<'a>, &mut Tubes
     }
     quality::spaces(scene, diagnostics);
     each(entries, &["SURFACE"], scene, |entry, scene| surfaces::read(entry, scene, diagnostics));
-    each(entries, &["RIGID BODY"], scene, |entry, scene| rigid::body(entry, scene, diagnostics));
+    each(entries, &["RIGID BODY"], scene, |entry, scene| rigid_bodies::read(entry, scene, diagnostics));
+    rigid_bodies::all_in_one(scene, diagnostics);
+    each(entries, &["SECTION CONTROLS"], scene, |entry, scene| sections::controls(entry, scene, diagnostics));
     let materials = materials::read(&named(entries, materials::CARDS), scene, diagnostics);
     let before = diagnostics.faults();
     let cards = sections::CARDS.iter().map(|(name, _)| *name).collect::<Vec<_>>();

@@ -118,7 +118,7 @@ fn main(token: Token<'_>, scene: &Scene<'_>, diagnostics: &mut Diagnostics) -> O
     match surface(token, scene, diagnostics)? {
         Surface::Faces => faces_of(token, scene, diagnostics).map(Main::Faces),
         Surface::Rigid(rigid) => {
-            let Some(&reference) = scene.references.get(&name) else {
+            let Some(reference) = scene.reference_of(&name) else {
                 let fault = Diagnostic::error(token.span, format!("the rigid surface `{name}` has no reference node"));
                 diagnostics.push(fault.help(format!("say `*RIGID BODY, ANALYTICAL SURFACE={name}, REF NODE=…`")));
                 return None;

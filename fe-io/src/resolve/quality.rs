@@ -1,6 +1,6 @@
 //! Checks of the bodies as a whole.
 
-use super::scene::Scene;
+use super::scene::{Analysis, Scene};
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use fe_core::element::{ElementType, Family, Space};
 use fe_core::{member, solid};
@@ -54,15 +54,27 @@ pub fn freedoms(scene: &mut Scene<'_>, diagnostics: &mut Diagnostics) {
         let all = masks.iter().fold(scene.structure.rigid_mask(), |all, mask| all | mask);
         masks.fill(all);
     }
-    for (surface, &reference) in &scene.references {
-        if masks[reference as usize] != 0 && !scene.incomplete {
+    for (body, at) in &scene.rigid_bodies {
+        let reference = body.reference;
+        if masks[reference as usize] != 0 && !scene.incomplete && carries(reference, scene) {
             let title = format!("node {} belongs to elements", scene.node_name(reference));
-            let at = scene.surfaces.get(surface).map_or(scene.node_places[reference as usize], |(_, at)| *at);
-            diagnostics.push(Diagnostic::error(at, title).label("the reference node of a rigid surface stands alone"));
+            let place =
+                body.surface.as_ref().and_then(|surface| scene.surfaces.get(surface)).map_or(*at, |(_, at)| *at);
+            let fault = Diagnostic::error(place, title);
+            diagnostics.push(fault.label("the reference node of a rigid surface stands alone"));
         }
         masks[reference as usize] |= scene.structure.rigid_mask();
     }
     scene.masks = masks;
+}
+
+/// True when a node belongs to elements that a rigid body cannot carry at its reference node: in explicit steps it carries
+/// masses, springs and dashpots.
+fn carries(node: u32, scene: &Scene<'_>) -> bool {
+    let light = |family| matches!(family, Family::Mass | Family::Spring | Family::Dashpot | Family::Rigid);
+    let elements = scene.structure.mesh.blocks.iter().zip(&scene.structure.elements);
+    let heavy = |(_, element): &(_, &ElementType)| scene.analysis == Analysis::Static || !light(element.family());
+    elements.filter(heavy).any(|(block, _)| block.nodes.contains(&node))
 }
 
 /// Solids, trusses and beams with the same nodes are told; springs and the like share them as they need.

@@ -1,8 +1,8 @@
-//! Analytical rigid surfaces and `*RIGID BODY`.
+//! Analytical rigid surfaces.
 
 use super::motion::Motion;
 use super::nodes::line_fields;
-use super::scene::{Scene, Surface};
+use super::scene::Scene;
 use crate::deck::card::{Line, Token, normalized};
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::keyword::check::Entry;
@@ -186,37 +186,6 @@ fn piece_fault(from: [f64; 2], piece: Piece, line: Line<'_>) -> Option<Diagnosti
             })
         }
         Piece::Line { .. } => None,
-    }
-}
-
-/// `*RIGID BODY`: the reference node of an analytical surface.
-pub fn body(entry: &Entry<'_>, scene: &mut Scene<'_>, diagnostics: &mut Diagnostics) {
-    let (Some(surface), Some(node)) = (entry.value("ANALYTICAL SURFACE"), entry.value("REF NODE")) else { return };
-    let name = scene.full_name(&surface.text);
-    match scene.surfaces.get(&name) {
-        Some((Surface::Rigid(_) | Surface::Faulty, _)) => {}
-        Some(_) => {
-            let title = format!("surface `{}` is not an analytical one", normalized(&surface.text));
-            diagnostics.push(Diagnostic::error(surface.span, title));
-            return;
-        }
-        None => {
-            let rigid = scene.surfaces.iter().filter(|(_, (s, _))| matches!(s, Surface::Rigid(_)));
-            let token = Token { text: &surface.text, span: surface.span };
-            diagnostics.push(scene.unknown("surface", token, rigid.map(|(name, _)| name.as_str())));
-            return;
-        }
-    }
-    let token = Token { text: &node.text, span: node.span };
-    let Some(nodes) = scene.nodes_of(token, diagnostics) else { return };
-    let [reference] = nodes[..] else {
-        let title = format!("a rigid body has one reference node, not {}", nodes.len());
-        diagnostics.push(Diagnostic::error(node.span, title));
-        return;
-    };
-    if scene.references.insert(name.clone(), reference).is_some() {
-        let title = format!("surface `{}` has a reference node already", normalized(&surface.text));
-        diagnostics.push(Diagnostic::error(surface.span, title));
     }
 }
 

@@ -3,9 +3,10 @@
 use super::names::Scope;
 use crate::deck::Deck;
 use crate::deck::source::Span;
+use crate::model::RigidBody;
 use fe_contact::rigid::RigidSurface;
 use fe_core::element::ElementType;
-use fe_core::structure::Structure;
+use fe_core::structure::{Hourglass, Structure};
 use fe_mesh::{CellBlock, CellId};
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -60,8 +61,10 @@ pub struct Scene<'a> {
     pub cell_places: Vec<Vec<Span>>,
     /// Surfaces, with the place of the name.
     pub surfaces: BTreeMap<String, (Surface, Span)>,
-    /// Reference node of each rigid surface.
-    pub references: BTreeMap<String, u32>,
+    /// Rigid bodies, each with the place of its card's name.
+    pub rigid_bodies: Vec<(RigidBody, Span)>,
+    /// `*SECTION CONTROLS` by name, each with its place.
+    pub section_controls: BTreeMap<String, (Option<Hourglass>, Span)>,
     /// Element sets of which nothing is left because their elements are faulty, which was told.
     pub faulty_sets: BTreeSet<String>,
     /// True when elements are missing because their lines are faulty, which was told.
@@ -88,12 +91,19 @@ impl<'a> Scene<'a> {
             material_places: Vec::new(),
             cell_places: Vec::new(),
             surfaces: BTreeMap::new(),
-            references: BTreeMap::new(),
+            rigid_bodies: Vec::new(),
+            section_controls: BTreeMap::new(),
             faulty_sets: BTreeSet::new(),
             incomplete: false,
             unread: false,
             masks: Vec::new(),
         }
+    }
+
+    /// Reference node of a rigid surface.
+    pub fn reference_of(&self, surface: &str) -> Option<u32> {
+        let bodies = self.rigid_bodies.iter().map(|(body, _)| body);
+        { bodies }.find(|body| body.surface.as_deref() == Some(surface)).map(|body| body.reference)
     }
 
     /// Index of the block of an element type.

@@ -10,7 +10,7 @@ use crate::keyword::check::Entry;
 use crate::keyword::row::Row;
 use fe_core::element::{ElementType, Family, Space};
 use fe_core::material::{Material, Response};
-use fe_core::structure::{LineSection, Profile, Section};
+use fe_core::structure::{Hourglass, HourglassControl, LineSection, Profile, Section};
 use fe_mesh::CellId;
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -61,7 +61,10 @@ pub fn read(entries: &[Entry<'_>], materials: &Materials, scene: &mut Scene<'_>,
     if scene.analysis == Analysis::Explicit {
         densities(entries, materials, scene, diagnostics);
     }
-    for (block, taken) in taken.iter().enumerate() {
+    // Facets of rigid bodies have none.
+    let elements = scene.structure.elements.iter();
+    let bodies = taken.iter().enumerate().zip(elements).filter(|(_, element)| element.family() != Family::Rigid);
+    for ((block, taken), _) in bodies {
         missing(block, taken, scene, diagnostics);
     }
 }
@@ -108,8 +111,9 @@ fn section(
             let material = material(entry, materials, diagnostics);
             let material = material.filter(|&m| answers(entry, m, &of_type, scene, diagnostics));
             let measure = measure(entry, &of_type, scene, diagnostics);
+            let hourglass = hourglass(entry, &of_type, scene, diagnostics);
             if let (Some(material), Some(measure)) = (material, measure) {
-                add(material, measure, of_type, scene);
+                add(material, (measure, hourglass), of_type, scene);
             }
         }
         "BEAM SECTION" => {
@@ -204,16 +208,61 @@ fn measure(entry: &Entry<'_>, of_type: &ByType, scene: &Scene<'_>, diagnostics: 
     row.sound.then(|| row.number(0).unwrap_or(1.0))
 }
 
+/// The hourglass control of a section; one that is not there is told.
+fn hourglass(
+    entry: &Entry<'_>,
+    of_type: &ByType,
+    scene: &Scene<'_>,
+    diagnostics: &mut Diagnostics,
+) -> Option<Hourglass> {
+    let value = entry.value("CONTROLS")?;
+    let name = normalized(&value.text);
+    let known = scene.section_controls.get(&name);
+    if known.is_none() {
+        let fault = Diagnostic::error(value.span, format!("there are no section controls `{name}`"));
+        let fault = fault.known(&name, scene.section_controls.keys().map(String::as_str));
+        diagnostics.push(fault.help("say `*SECTION CONTROLS, NAME=…`"));
+    } else if let Some(full) = of_type.keys().find(|element| !ElementType::REDUCED.contains(element)) {
+        let note = Diagnostic::note(value.span, format!("`CONTROLS` has no effect on {} elements", full.name()));
+        diagnostics.push(note.label("they have no hourglass modes"));
+    }
+    known?.0
+}
+
+/// `*SECTION CONTROLS`.
+pub fn controls(entry: &Entry<'_>, scene: &mut Scene<'_>, diagnostics: &mut Diagnostics) {
+    let Some(value) = entry.value("NAME") else { return };
+    let name = normalized(&value.text);
+    let row = scene.deck.all_lines(entry.card).next().map(|line| Row::read(line, fields(entry), diagnostics));
+    let control = match entry.name("HOURGLASS").as_deref() {
+        Some("ENHANCED") => Some(HourglassControl::Enhanced),
+        Some("STIFFNESS") => Some(HourglassControl::Stiffness),
+        Some("VISCOUS") => Some(HourglassControl::Viscous),
+        _ => None,
+    };
+    let scale = row.as_ref().and_then(|row| row.number(0));
+    if let (None, Some(_), Some(row)) = (control, scale, &row) {
+        let fault = Diagnostic::error(row.span, "a hourglass scale needs `HOURGLASS=`");
+        diagnostics.push(fault.help("say which control it is a factor on"));
+    }
+    let hourglass = control.map(|control| Hourglass { control, scale: scale.unwrap_or(1.0) });
+    if let Some((_, first)) = scene.section_controls.insert(name.clone(), (hourglass, value.span)) {
+        let fault = Diagnostic::error(value.span, format!("section controls `{name}` are there twice"));
+        diagnostics.push(fault.related(first, "first here"));
+    }
+}
+
 fn is_thick(element: ElementType) -> bool {
     matches!(element.space(), Space::PlaneStrain | Space::PlaneStress)
 }
 
 /// One section for each element type of a set.
-fn add(material: usize, measure: f64, of_type: ByType, scene: &mut Scene<'_>) {
+fn add(material: usize, (measure, hourglass): (f64, Option<Hourglass>), of_type: ByType, scene: &mut Scene<'_>) {
     for (element, cells) in of_type {
         if element.family() == Family::Solid {
             let thickness = if is_thick(element) { measure } else { 1.0 };
-            scene.structure.sections.push(Section { element, cells, material, thickness });
+            let hourglass = hourglass.filter(|_| ElementType::REDUCED.contains(&element));
+            scene.structure.sections.push(Section { element, cells, material, thickness, hourglass });
         } else {
             let profile = Profile::bar(measure);
             scene.structure.lines.push(line_section(element, cells, material, profile, scene));
@@ -270,5 +319,6 @@ fn card_of(element: ElementType) -> (&'static str, &'static str) {
         Family::Mass => ("MASS", "ELSET=…"),
         Family::Gap => ("GAP", "ELSET=…"),
         Family::Tube => ("INTERFACE", "ELSET=…"),
+        Family::Rigid => ("RIGID BODY", "REF NODE=…, ELSET=…"),
     }
 }

@@ -113,7 +113,8 @@ fn listed<'a>(entry: &Entry<'a>, scene: &Scene<'a>, diagnostics: &mut Diagnostic
         sound &= cells.len() == count;
         for cell in cells {
             match asked {
-                Asked::Face(face) | Asked::Side(face) => listed.faces.push((Face { cell, face }, told)),
+                Asked::Face(face) => listed.faces.push((Face { cell, face }, told)),
+                Asked::Side(side) => listed.faces.push((Face { cell, face: first_side(cell, scene) + side }, told)),
                 Asked::Free if asked::is_line(scene.element_of(cell)) => listed.lines.push(cell),
                 Asked::Free => listed.free.push(cell),
             }
@@ -122,12 +123,18 @@ fn listed<'a>(entry: &Entry<'a>, scene: &Scene<'a>, diagnostics: &mut Diagnostic
     sound.then_some(listed)
 }
 
-/// A line in the plane may press with either side, not with both in one surface; `None` where it does, which is told.
+/// Number of the face SPOS of a line in the plane or a facet in space.
+fn first_side(cell: CellId, scene: &Scene<'_>) -> u8 {
+    let kind = scene.structure.mesh.kind(cell);
+    if kind.sides().is_empty() { 0 } else { kind.faces().len() as u8 }
+}
+
+/// A line in the plane or a rigid facet may press with either side, not with both in one surface; `None` where it does, which is told.
 fn one_side(faces: &mut [(Face, Token<'_>)], scene: &Scene<'_>, diagnostics: &mut Diagnostics) -> Option<()> {
     faces.sort_by_key(|(face, _)| *face);
-    let is_line = |cell: CellId| scene.structure.mesh.kind(cell).dimension() == 1;
+    let thin = |cell: CellId| scene.structure.mesh.kind(cell).dimension() < scene.structure.dimension();
     let both =
-        faces.windows(2).find(|two| two[0].0.cell == two[1].0.cell && two[0].0 != two[1].0 && is_line(two[0].0.cell));
+        faces.windows(2).find(|two| two[0].0.cell == two[1].0.cell && two[0].0 != two[1].0 && thin(two[0].0.cell));
     let Some([_, (face, at)]) = both else { return Some(()) };
     let title = format!("this surface has both sides of element {}", scene.cell_name(face.cell));
     diagnostics.push(Diagnostic::error(at.span, title).help("write two surfaces, one of SPOS and one of SNEG"));

@@ -73,7 +73,7 @@ impl Scene {
         let material =
             Material { density: Some(2.0), ..Material::elastic("M", Elastic { young: 1000.0, poisson: 0.3 }) };
         let cells = mesh.cells().collect();
-        let section = Section { element, cells, material: 0, thickness: 1.0 };
+        let section = Section { element, cells, material: 0, thickness: 1.0, hourglass: None };
         let structure = Structure {
             mesh,
             elements: vec![element],
