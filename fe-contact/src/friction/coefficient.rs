@@ -58,6 +58,14 @@ impl Coefficient {
         Ok(Coefficient::Table(groups))
     }
 
+    /// A decay from μ_s at rest to μ_k, by d [T/L].
+    pub fn decay(rest: f64, kinetic: f64, decay: f64) -> Result<Self, String> {
+        if kinetic > rest {
+            return Err(format!("the coefficient decays from {rest} at rest, and cannot rise to {kinetic}"));
+        }
+        Ok(Coefficient::Decay { rest, kinetic, decay })
+    }
+
     /// A decay through μ₁ at rest and μ₂ at a slip rate [L/T]; `limit` is μ_∞, where it is known.
     pub fn decay_through(rest: f64, (second, rate): (f64, f64), limit: Option<f64>) -> Result<Self, String> {
         let kinetic = limit.unwrap_or((second - DECAYED * rest) / (1.0 - DECAYED));

@@ -99,11 +99,14 @@ fn coefficient(entry: &Entry<'_>, deck: &Deck, diagnostics: &mut Diagnostics) ->
         return None;
     }
     let value = |row: usize, i: usize| rows[row].number(i).unwrap_or(0.0);
+    if entry.has("TEST DATA") {
+        ends_of_test_data(&rows, diagnostics);
+    }
     let built = match (entry.has("EXPONENTIAL DECAY"), entry.has("TEST DATA")) {
         (true, true) => {
             Coefficient::decay_through(value(0, 0), (value(1, 0), value(1, 1)), rows.get(2).map(|_| value(2, 0)))
         }
-        (true, false) => Ok(Coefficient::Decay { rest: value(0, 0), kinetic: value(0, 1), decay: value(0, 2) }),
+        (true, false) => Coefficient::decay(value(0, 0), value(0, 1), value(0, 2)),
         _ => {
             let each = |row: usize| (value(row, 0), value(row, 1), value(row, 2));
             Coefficient::table(&(0..rows.len()).map(each).collect::<Vec<_>>())
@@ -111,4 +114,18 @@ fn coefficient(entry: &Entry<'_>, deck: &Deck, diagnostics: &mut Diagnostics) ->
     };
     let told = |fault| diagnostics.push(Diagnostic::error(entry.card.span, format!("`*FRICTION`: {fault}")));
     built.map_err(told).ok()
+}
+
+/// The first point of test data is at rest, the third one at a slip rate beyond all: only the second one has a rate.
+fn ends_of_test_data(rows: &[Row], diagnostics: &mut Diagnostics) {
+    let ends = [(0, "the first coefficient holds at rest"), (2, "the third coefficient holds at high slip rates")];
+    for (row, title) in ends {
+        let Some(row) = rows.get(row) else { continue };
+        if let (Some(token), Some(rate)) = (row.token(1), row.number(1))
+            && rate != 0.0
+        {
+            let fault = Diagnostic::error(token.span, title).label("no slip rate belongs here");
+            diagnostics.push(fault.help("the second line has the slip rate at which its coefficient was measured"));
+        }
+    }
 }
