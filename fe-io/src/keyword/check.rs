@@ -6,6 +6,7 @@ use super::{Known, find, names, same};
 use crate::deck::Deck;
 use crate::deck::card::{Card, Parameter, Value, normalized};
 use crate::deck::number::{number, whole};
+use crate::deck::source::Span;
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use fe_contact::law::Laws;
 
@@ -79,6 +80,7 @@ pub fn check<'a>(deck: &'a Deck, laws: &Laws, diagnostics: &mut Diagnostics) -> 
                 let place = places.enter(card, keyword, diagnostics);
                 let entry = Entry { card, keyword, step: place.step, block: place.block, scope: 0 };
                 parameters(&entry, laws, diagnostics);
+                surplus(&entry, deck, diagnostics);
                 entries.push(entry);
             }
         }
@@ -120,6 +122,23 @@ fn parameters(entry: &Entry<'_>, laws: &Laws, diagnostics: &mut Diagnostics) {
         let fault = Diagnostic::error(entry.card.span, format!("`*{star}` needs `{}=`", missing.name));
         diagnostics.push(fault.label(missing.meaning));
     }
+}
+
+/// Tells a data line that the card cannot have, whatever its parameters say.
+fn surplus(entry: &Entry<'_>, deck: &Deck, diagnostics: &mut Diagnostics) {
+    let Some(most) = entry.keyword.data.most() else { return };
+    let Some(line) = deck.lines(entry.card).nth(most) else { return };
+    diagnostics.push(too_many_lines(entry.keyword.name, most, line.span));
+}
+
+/// The fault of a data line beyond those that a card has.
+pub fn too_many_lines(star: &str, most: usize, at: Span) -> Diagnostic {
+    let has = match most {
+        0 => "no data lines".into(),
+        1 => "one data line".into(),
+        n => format!("{n} data lines at most"),
+    };
+    Diagnostic::error(at, format!("`*{star}` has {has} here")).label("one too many")
 }
 
 fn unknown_parameter(entry: &Entry<'_>, written: &Parameter) -> Diagnostic {

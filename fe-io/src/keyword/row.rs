@@ -37,7 +37,8 @@ impl<'a> Row<'a> {
         }
         if let Some(missing) = fields.iter().skip(row.tokens.len()).find(|field| field.required) {
             row.sound = false;
-            let end = Span { start: line.span.end.saturating_sub(1).max(line.span.start), ..line.span };
+            let last = line.text.chars().next_back().map_or(0, char::len_utf8) as u32;
+            let end = Span { start: line.span.end - last, ..line.span };
             let fault = Diagnostic::error(end, format!("{} is missing", missing.name)).label(described(missing));
             diagnostics.push(fault);
         }
@@ -70,6 +71,11 @@ impl<'a> Row<'a> {
     }
 }
 
+/// What a line holds, in its order.
+pub fn names(fields: &[Field]) -> String {
+    fields.iter().map(|field| field.name).collect::<Vec<_>>().join(", ")
+}
+
 /// What a field is, in a message.
 pub fn described(field: &Field) -> String {
     let dimension = match field.dimension {
@@ -83,7 +89,7 @@ fn surplus(fields: &[Field], token: Token<'_>) -> Diagnostic {
     let fault = Diagnostic::error(token.span, format!("`{}` is one entry too many", token.text));
     match fields.len() {
         0 => fault.label("this card has no data lines"),
-        n => fault.help(format!("the line has {n}: {}", fields.iter().map(|f| f.name).collect::<Vec<_>>().join(", "))),
+        n => fault.help(format!("the line has {n}: {}", names(fields))),
     }
 }
 

@@ -107,6 +107,18 @@ pub enum Data {
     Lines(&'static [DataLine]),
 }
 
+impl Data {
+    /// How many data lines there may be, whatever the parameters; `None`: any number.
+    pub fn most(&self) -> Option<usize> {
+        match self {
+            Data::None => Some(0),
+            Data::Text(_) => None,
+            Data::Lines(lines) if lines.iter().any(|line| line.repeat == Repeat::Many) => None,
+            Data::Lines(lines) => Some(lines.len()),
+        }
+    }
+}
+
 /// One kind of data line.
 #[derive(Debug)]
 pub struct DataLine {

@@ -1,6 +1,6 @@
 //! `*AMPLITUDE`.
 
-use super::nodes::fields;
+use super::lines::fields;
 use crate::deck::Deck;
 use crate::deck::card::normalized;
 use crate::deck::number::number;

@@ -1,14 +1,14 @@
 //! `*BEAM SECTION` and `*BEAM GENERAL SECTION`.
 
-use super::nodes::line_fields;
+use super::lines::line_fields;
 use super::rigid::unit;
 use super::scene::Scene;
 use super::sections::{ByType, line_section};
 use crate::deck::card::Line;
 use crate::deck::number::number;
 use crate::diagnostic::{Diagnostic, Diagnostics};
-use crate::keyword::check::Entry;
-use crate::keyword::row::Row;
+use crate::keyword::check::{Entry, too_many_lines};
+use crate::keyword::row::{Row, names};
 use fe_core::element::Space;
 use fe_core::material::Damping;
 use fe_core::structure::{LineSection, Profile};
@@ -26,6 +26,9 @@ const POINTS: usize = 4;
 const GENERAL: usize = 4;
 const MODULI: usize = 5;
 
+/// So many data lines has a section.
+const MOST: usize = 3;
+
 /// Reads a section of a shape and a material; `None` stands for one that is faulty, which was told.
 pub fn read(
     entry: &Entry<'_>,
@@ -40,7 +43,7 @@ pub fn read(
     if let Some(&line) = lines.get(2) {
         Row::read(line, line_fields(entry, POINTS), diagnostics);
     }
-    surplus(&lines, 3, diagnostics);
+    surplus(entry, &lines, diagnostics);
     if let (Some(material), Some(profile), Some(axis)) = (material, profile, axis) {
         for (element, cells) in of_type {
             let section = line_section(element, cells, material, profile, scene);
@@ -54,7 +57,7 @@ pub fn read_general(entry: &Entry<'_>, of_type: ByType, scene: &mut Scene<'_>, d
     let lines = lines(entry, scene);
     let profile = profile(entry, lines.first(), diagnostics);
     let axis = axis(entry, lines.get(1), diagnostics);
-    surplus(&lines, 3, diagnostics);
+    surplus(entry, &lines, diagnostics);
     let density = entry.value("DENSITY").and_then(|value| number(&value.text));
     let Some(&line) = lines.get(2) else {
         let fault = Diagnostic::error(entry.card.span, "`*BEAM GENERAL SECTION` has no moduli");
@@ -116,8 +119,8 @@ fn profile(entry: &Entry<'_>, line: Option<&Line<'_>>, diagnostics: &mut Diagnos
     };
     let Some(&line) = line else {
         let title = format!("`*{}` has no data line", entry.keyword.name);
-        let wanted: Vec<&str> = line_fields(entry, kind).iter().map(|field| field.name).collect();
-        diagnostics.push(Diagnostic::error(entry.card.span, title).help(format!("write: {}", wanted.join(", "))));
+        let wanted = names(line_fields(entry, kind));
+        diagnostics.push(Diagnostic::error(entry.card.span, title).help(format!("write: {wanted}")));
         return None;
     };
     let row = Row::read(line, line_fields(entry, kind), diagnostics);
@@ -167,9 +170,9 @@ fn lines<'a>(entry: &Entry<'a>, scene: &Scene<'a>) -> Vec<Line<'a>> {
     lines
 }
 
-/// Lines that the card does not have are told.
-fn surplus(lines: &[Line<'_>], most: usize, diagnostics: &mut Diagnostics) {
-    if let Some(line) = lines.get(most).filter(|line| !line.text.is_empty()) {
-        diagnostics.push(Diagnostic::error(line.span, format!("one line too many: the card has {most}")));
+/// Tells a fourth line.
+fn surplus(entry: &Entry<'_>, lines: &[Line<'_>], diagnostics: &mut Diagnostics) {
+    if let Some(line) = lines.get(MOST).filter(|line| !line.text.is_empty()) {
+        diagnostics.push(too_many_lines(entry.keyword.name, MOST, line.span));
     }
 }

@@ -1,7 +1,7 @@
 //! `*CLEARANCE`.
 
 use super::interferences::direction;
-use super::nodes::fields;
+use super::lines::fields;
 use super::scene::Scene;
 use super::which_pair;
 use crate::deck::number::number;

@@ -1,6 +1,6 @@
 //! `*SURFACE, COMBINE=`: unions, intersections and differences of surfaces of faces.
 
-use super::nodes::line_fields;
+use super::lines::line_fields;
 use super::pairs::faces_of;
 use super::scene::Scene;
 use crate::deck::card::Token;

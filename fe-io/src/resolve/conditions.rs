@@ -1,7 +1,7 @@
 //! What steps say of contacts: cards that hold until a later step says otherwise.
 
 use super::change_friction::Frictions;
-use super::nodes::fields;
+use super::lines::fields;
 use super::scene::Scene;
 use super::which_pair;
 use crate::diagnostic::{Diagnostic, Diagnostics};

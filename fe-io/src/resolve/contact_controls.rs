@@ -1,7 +1,7 @@
 //! `*CONTACT CONTROLS`.
 
 use super::conditions::InForce;
-use super::nodes::fields;
+use super::lines::fields;
 use super::scene::Scene;
 use super::steps::Named;
 use super::which_pair;

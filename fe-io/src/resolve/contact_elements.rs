@@ -1,12 +1,12 @@
 //! `*GAP`, and what it has in common with `*INTERFACE`.
 
 use super::interactions::Interactions;
-use super::nodes::fields;
+use super::lines::one_line;
 use super::scene::Scene;
+use super::sections;
 use crate::deck::card::Token;
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::keyword::check::Entry;
-use crate::keyword::row::Row;
 use crate::model::Place;
 use fe_contact::element::ElementFault;
 use fe_contact::gap::GapDefinition;
@@ -21,7 +21,7 @@ pub fn gaps(
     diagnostics: &mut Diagnostics,
 ) -> Option<(GapDefinition, Place)> {
     let (name, element, cells) = elements(entry, Family::Gap, scene, diagnostics)?;
-    let row = one_line(entry, scene, diagnostics)?;
+    let row = one_line(entry, scene.deck, diagnostics)?;
     let distance = row.number(0).unwrap_or(0.0);
     let direction = [1, 2, 3].map(|i| row.number(i).unwrap_or(0.0));
     // An instance turns the directions of its part.
@@ -77,8 +77,11 @@ pub fn elements(
     let cells = scene.cell_set(token, diagnostics)?.to_vec();
     let name = scene.full_name(&value.text);
     let element = scene.element_of(*cells.first()?);
-    // Others were told with the sections.
-    if cells.iter().any(|&cell| scene.element_of(cell).family() != family) {
+    if let Some(&cell) = cells.iter().find(|&&cell| scene.element_of(cell).family() != family) {
+        // Those of sections were told with them.
+        if !sections::CARDS.iter().any(|(card, _)| *card == entry.keyword.name) {
+            diagnostics.push(sections::unsuited(entry, token, (scene.element_of(cell), cell), scene));
+        }
         return None;
     }
     if let Some(other) = cells.iter().map(|&cell| scene.element_of(cell)).find(|e| *e != element) {
@@ -89,23 +92,4 @@ pub fn elements(
         return None;
     }
     Some((name, element, cells))
-}
-
-/// The one data line of a card.
-pub fn one_line<'a>(entry: &Entry<'a>, scene: &Scene<'a>, diagnostics: &mut Diagnostics) -> Option<Row<'a>> {
-    let mut lines = scene.deck.lines(entry.card);
-    let star = entry.keyword.name;
-    let Some(line) = lines.next() else {
-        let wanted: Vec<&str> = fields(entry).iter().map(|field| field.name).collect();
-        let fault = Diagnostic::error(entry.card.span, format!("`*{star}` has no data line"));
-        diagnostics.push(fault.help(format!("write: {}", wanted.join(", "))));
-        return None;
-    };
-    let row = Row::read(line, fields(entry), diagnostics);
-    if let Some(more) = lines.next() {
-        let fault = Diagnostic::error(more.span, "this is one data line too many");
-        diagnostics.push(fault.label(format!("`*{star}` has one")));
-        return None;
-    }
-    row.sound.then_some(row)
 }

@@ -1,10 +1,10 @@
 //! `*STATIC` and `*CONTROLS`.
 
-use super::nodes::fields;
+use super::lines::fields;
 use crate::deck::Deck;
 use crate::deck::source::Span;
 use crate::diagnostic::{Diagnostic, Diagnostics};
-use crate::keyword::check::Entry;
+use crate::keyword::check::{Entry, too_many_lines};
 use crate::keyword::row::Row;
 use crate::keyword::{Field, controls};
 use fe_core::step::{Controls, Increments};
@@ -14,11 +14,7 @@ const SMALLEST_PART: f64 = 1e-5;
 
 /// `*STATIC`; `most` increments come from `*STEP, INC=`.
 pub fn increments(entry: &Entry<'_>, most: usize, deck: &Deck, diagnostics: &mut Diagnostics) -> Option<Increments> {
-    let mut lines = deck.lines(entry.card);
-    let row = lines.next().map(|line| Row::read(line, fields(entry), diagnostics));
-    if let Some(more) = lines.next() {
-        diagnostics.push(Diagnostic::error(more.span, "this is one data line too many").label("`*STATIC` has one"));
-    }
+    let row = deck.lines(entry.card).next().map(|line| Row::read(line, fields(entry), diagnostics));
     if row.as_ref().is_some_and(|row| !row.sound) {
         return None;
     }
@@ -86,7 +82,9 @@ pub fn read(entry: &Entry<'_>, deck: &Deck, controls: &mut Controls, diagnostics
         None => {}
     }
     if let Some(more) = lines.find(|line| !line.text.is_empty()) {
-        diagnostics.push(Diagnostic::error(more.span, "this is one data line too many"));
+        let most =
+            if entry.says("PARAMETERS", "TIME INCREMENTATION") { 2 } else { usize::from(entry.has("PARAMETERS")) };
+        diagnostics.push(too_many_lines("CONTROLS", most, more.span));
     }
 }
 

@@ -1,6 +1,6 @@
 //! `*SPRING`, `*DASHPOT` and `*MASS`.
 
-use super::nodes::line_fields;
+use super::lines::line_fields;
 use super::scene::{Analysis, Scene};
 use super::sections::ByType;
 use crate::deck::card::Line;

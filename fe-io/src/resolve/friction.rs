@@ -3,8 +3,8 @@
 use crate::deck::Deck;
 use crate::deck::number::number;
 use crate::diagnostic::{Diagnostic, Diagnostics};
-use crate::keyword::check::Entry;
-use crate::keyword::row::Row;
+use crate::keyword::check::{Entry, too_many_lines};
+use crate::keyword::row::{Row, names};
 use crate::keyword::{Field, friction};
 use fe_contact::friction::{Coefficient, Friction, Stick, TOLERANCE};
 
@@ -85,14 +85,12 @@ fn coefficient(entry: &Entry<'_>, deck: &Deck, diagnostics: &mut Diagnostics) ->
     let mut lines = deck.lines(entry.card);
     let rows: Vec<Row> = lines.by_ref().take(most).map(|line| Row::read(line, fields, diagnostics)).collect();
     if let Some(line) = lines.next() {
-        let label = format!("`*FRICTION` has {most} here");
-        diagnostics.push(Diagnostic::error(line.span, "this is one data line too many").label(label));
+        diagnostics.push(too_many_lines("FRICTION", most, line.span));
     }
     if rows.len() < least {
         let needs = if least == 1 { "a data line" } else { "two data lines or more" };
-        let wanted: Vec<&str> = fields.iter().map(|field| field.name).collect();
         let fault = Diagnostic::error(entry.card.span, format!("`*FRICTION` needs {needs}"));
-        diagnostics.push(fault.help(format!("write: {}", wanted.join(", "))));
+        diagnostics.push(fault.help(format!("write: {}", names(fields))));
         return None;
     }
     if !rows.iter().all(|row| row.sound) {

@@ -1,14 +1,14 @@
 //! `*SURFACE INTERACTION`, or the card of contact elements, with its `*SURFACE BEHAVIOR`, `*FRICTION` and
 //! `*CONTACT DAMPING`.
 
-use super::nodes::fields;
+use super::lines::fields;
 use super::{contact_damping, formula, friction, hard};
 use crate::deck::Deck;
-use crate::deck::card::{Card, normalized};
+use crate::deck::card::{Card, Line, normalized};
 use crate::deck::source::Span;
 use crate::diagnostic::{Diagnostic, Diagnostics};
-use crate::keyword::check::Entry;
-use crate::keyword::row::{Row, of_law};
+use crate::keyword::check::{Entry, too_many_lines};
+use crate::keyword::row::{Row, names, of_law};
 use crate::keyword::{self, Field, Known, surface_behavior};
 use fe_contact::interaction::{Enforcement, Interaction, NormalBehavior};
 use fe_contact::law::scale_factor::Scaling;
@@ -229,10 +229,10 @@ fn softened(
     let rows: Vec<Row> = lines.by_ref().take(most).map(|line| Row::read(line, &fields, diagnostics)).collect();
     too_many(lines.next(), diagnostics);
     if rows.len() < least {
-        let wanted: Vec<&str> = fields.iter().map(|field| field.name).collect();
+        let wanted = names(&fields);
         let (needs, wanted) = match law.lines {
-            Lines::One => ("a data line".into(), wanted.join(", ")),
-            Lines::AtLeast(_) => (format!("{least} data lines or more"), wanted.join(", ") + " in each"),
+            Lines::One => ("a data line".into(), wanted),
+            Lines::AtLeast(_) => (format!("{least} data lines or more"), wanted + " in each"),
         };
         let fault = Diagnostic::error(entry.card.span, format!("law `{}` needs {needs}", law.keyword));
         diagnostics.push(fault.help(format!("write: {wanted}")));
@@ -315,9 +315,7 @@ fn scale_factor(entry: &Entry<'_>, deck: &Deck, diagnostics: &mut Diagnostics) {
     }
 }
 
-pub(super) fn too_many(line: Option<crate::deck::card::Line<'_>>, diagnostics: &mut Diagnostics) {
-    if let Some(line) = line {
-        diagnostics
-            .push(Diagnostic::error(line.span, "this is one data line too many").label("`*SURFACE BEHAVIOR` has one"));
-    }
+/// Tells a second data line.
+pub(super) fn too_many(line: Option<Line<'_>>, diagnostics: &mut Diagnostics) {
+    line.into_iter().for_each(|line| diagnostics.push(too_many_lines("SURFACE BEHAVIOR", 1, line.span)));
 }

@@ -1,7 +1,7 @@
 //! `*CONTACT INTERFERENCE`.
 
 use super::conditions::InForce;
-use super::nodes::line_fields;
+use super::lines::line_fields;
 use super::scene::Scene;
 use super::steps::Named;
 use super::which_pair;

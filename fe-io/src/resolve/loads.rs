@@ -1,7 +1,7 @@
 //! `*CLOAD`, `*DLOAD` and `*DSLOAD`.
 
 use super::amplitudes::Amplitudes;
-use super::nodes::line_fields;
+use super::lines::line_fields;
 use super::pairs::faces_of;
 use super::rigid::unit;
 use super::scene::Scene;

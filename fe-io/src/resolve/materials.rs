@@ -1,6 +1,6 @@
 //! `*MATERIAL` with its cards.
 
-use super::nodes::fields;
+use super::lines::{fields, one_line};
 use super::scene::{Analysis, Scene};
 use crate::deck::card::normalized;
 use crate::deck::number::number;
@@ -68,7 +68,7 @@ fn describe(entry: &Entry<'_>, draft: &mut Draft, scene: &Scene<'_>, diagnostics
         "DAMPING" => draft.damping = damping(entry, scene, diagnostics),
         "HYPERELASTIC" => draft.hyperelastic = hyperelastic(entry, scene, diagnostics),
         name => {
-            let Some(row) = one_line(entry, scene, diagnostics) else { return };
+            let Some(row) = one_line(entry, scene.deck, diagnostics) else { return };
             let (first, second) = (row.number(0), row.number(1));
             match name {
                 "ELASTIC" => {
@@ -105,7 +105,7 @@ fn hyperelastic(entry: &Entry<'_>, scene: &Scene<'_>, diagnostics: &mut Diagnost
         let fault = Diagnostic::error(entry.card.span, "`*HYPERELASTIC` does not say which energy");
         diagnostics.push(fault.help("`*HYPERELASTIC, NEO HOOKE` is there"));
     }
-    let row = one_line(entry, scene, diagnostics)?;
+    let row = one_line(entry, scene.deck, diagnostics)?;
     let c10 = row.number(0)?;
     let d1 = row.number(1).filter(|d1| *d1 > 0.0).unwrap_or_else(|| {
         let d1 = 2.0 / (BULK_OVER_SHEAR * 2.0 * c10);
@@ -161,23 +161,6 @@ fn hardening(entry: &Entry<'_>, scene: &Scene<'_>, diagnostics: &mut Diagnostics
         return None;
     }
     Some(Hardening { points })
-}
-
-/// The one data line of a material's card.
-fn one_line<'a>(entry: &Entry<'a>, scene: &Scene<'a>, diagnostics: &mut Diagnostics) -> Option<Row<'a>> {
-    let mut lines = scene.deck.lines(entry.card);
-    let Some(line) = lines.next() else {
-        let title = format!("`*{}` has no data line", entry.keyword.name);
-        let wanted: Vec<&str> = fields(entry).iter().map(|field| field.name).collect();
-        diagnostics.push(Diagnostic::error(entry.card.span, title).help(format!("write: {}", wanted.join(", "))));
-        return None;
-    };
-    let row = Row::read(line, fields(entry), diagnostics);
-    if let Some(more) = lines.next() {
-        let title = format!("more than one line under `*{}` is not there yet", entry.keyword.name);
-        diagnostics.push(Diagnostic::error(more.span, title).help("there are no temperatures: give one line"));
-    }
-    row.sound.then_some(row)
 }
 
 fn finish(draft: Draft, scene: &mut Scene<'_>, diagnostics: &mut Diagnostics) -> (String, Option<usize>) {

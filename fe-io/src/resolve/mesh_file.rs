@@ -1,6 +1,7 @@
 //! `*MESH`: the only place that knows of gmsh files.
 
 use super::elements::{element_type, register, suits};
+use super::lines::fields;
 use super::nodes;
 use super::scene::{Scene, Surface};
 use crate::deck::bytes_of;
@@ -61,7 +62,7 @@ fn element_types(
 ) -> Vec<(usize, ElementType, Span)> {
     let mut types = Vec::new();
     for line in scene.deck.lines(entry.card) {
-        let row = Row::read(line, nodes::fields(entry), diagnostics);
+        let row = Row::read(line, fields(entry), diagnostics);
         let (Some(group), Some(word), true) = (row.token(0), row.token(1), row.sound) else { continue };
         let element = element_type(&normalized(word.text), word.span, diagnostics);
         element.into_iter().for_each(|element| suits(element, word.span, scene, diagnostics));

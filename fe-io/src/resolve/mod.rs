@@ -21,6 +21,7 @@ mod hard;
 mod interactions;
 mod interferences;
 mod labels;
+mod lines;
 mod loads;
 mod materials;
 mod mesh_file;

@@ -1,5 +1,6 @@
 //! `*NODE`.
 
+use super::lines::fields;
 use super::scene::Scene;
 use crate::deck::card::Line;
 use crate::deck::number::{number, whole};
@@ -7,7 +8,6 @@ use crate::deck::source::Span;
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::keyword::check::Entry;
 use crate::keyword::row::Row;
-use crate::keyword::{Data, Field};
 
 /// Reads the nodes of a card.
 pub fn read(entry: &Entry<'_>, scene: &mut Scene<'_>, diagnostics: &mut Diagnostics) {
@@ -60,18 +60,5 @@ fn faulty(entry: &Entry<'_>, line: Line<'_>, scene: &mut Scene<'_>, diagnostics:
     let row = Row::read(line, fields(entry), diagnostics);
     if let Some(label) = row.whole(0) {
         scene.scope_mut().nodes.spoil(label);
-    }
-}
-
-/// Fields of a card's first kind of data line.
-pub fn fields(entry: &Entry<'_>) -> &'static [Field] {
-    line_fields(entry, 0)
-}
-
-/// Fields of one kind of a card's data lines.
-pub fn line_fields(entry: &Entry<'_>, kind: usize) -> &'static [Field] {
-    match entry.keyword.data {
-        Data::Lines(lines) => lines.get(kind).map_or(&[], |line| line.fields),
-        Data::None | Data::Text(_) => &[],
     }
 }

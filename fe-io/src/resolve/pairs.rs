@@ -1,7 +1,7 @@
 //! `*CONTACT PAIR`.
 
 use super::interactions::Interactions;
-use super::nodes::fields;
+use super::lines::fields;
 use super::once;
 use super::scene::{Scene, Surface};
 use crate::deck::card::{Token, normalized};

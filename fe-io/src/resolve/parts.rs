@@ -107,10 +107,6 @@ fn motion(entry: &Entry<'_>, scene: &Scene<'_>, diagnostics: &mut Diagnostics) -
         line.map(|line| Row::read(line, fields, &mut *diagnostics)).filter(|row| row.sound)
     };
     let (first, second) = (row(TRANSLATION), row(ROTATION));
-    if let Some(more) = lines.find(|line| !line.text.is_empty()) {
-        let fault = Diagnostic::error(more.span, "this is one data line too many");
-        diagnostics.push(fault.label("`*INSTANCE` has two: translation, rotation"));
-    }
     let number = |row: &Row<'_>, i: usize| row.number(i).unwrap_or(0.0);
     let point = |row: &Row<'_>, from: usize| std::array::from_fn(|c| number(row, from + c));
     let mut motion = Motion::default();

@@ -1,6 +1,6 @@
 //! `*DYNAMIC` and what belongs to it.
 
-use super::nodes::fields;
+use super::lines::fields;
 use super::scene::Analysis;
 use crate::deck::Deck;
 use crate::deck::number::number;
@@ -23,16 +23,12 @@ pub fn explicit(entry: &Entry<'_>, step: &Entry<'_>, deck: &Deck, diagnostics: &
         return None;
     }
     let before = diagnostics.faults();
-    let mut lines = deck.all_lines(entry.card);
-    let Some(line) = lines.next() else {
+    let Some(line) = deck.all_lines(entry.card).next() else {
         let fault = Diagnostic::error(entry.card.span, "`*DYNAMIC, EXPLICIT` needs a data line");
         diagnostics.push(fault.help("write: a blank, step time; with `DIRECT USER CONTROL`: increment, step time"));
         return None;
     };
     let row = Row::read(line, fields(entry), diagnostics);
-    if let Some(more) = lines.find(|line| !line.text.is_empty()) {
-        diagnostics.push(Diagnostic::error(more.span, "this is one data line too many").label("`*DYNAMIC` has one"));
-    }
     if let Some(token) = row.token(2) {
         let fault = Diagnostic::error(token.span, format!("`{}` stands in a field that is always blank", token.text));
         diagnostics.push(fault.help("write: a blank, step time, a blank, largest increment"));

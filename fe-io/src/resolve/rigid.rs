@@ -1,7 +1,7 @@
 //! Analytical rigid surfaces.
 
+use super::lines::line_fields;
 use super::motion::Motion;
-use super::nodes::line_fields;
 use super::scene::Scene;
 use crate::deck::card::{Line, Token, normalized};
 use crate::diagnostic::{Diagnostic, Diagnostics};

@@ -1,7 +1,7 @@
 //! What elements have beside their nodes: `*SOLID SECTION`, `*BEAM SECTION`, `*SPRING` and their like.
 
+use super::lines::fields;
 use super::materials::Materials;
-use super::nodes::fields;
 use super::scene::{Analysis, Scene};
 use super::{beams, discrete};
 use crate::deck::card::{Token, normalized};
@@ -93,10 +93,20 @@ fn suited(
     let Some((element, cells)) = of_type.iter().find(|(element, _)| !families.contains(&element.family())) else {
         return true;
     };
-    let (label, (card, _)) = (scene.cell_name(cells[0]), card_of(*element));
-    let title = format!("`*{name}` is not for {} elements such as {label}", element.name());
-    diagnostics.push(Diagnostic::error(elset.span, title).label(format!("they have `*{card}`")));
+    diagnostics.push(unsuited(entry, elset, (*element, cells[0]), scene));
     false
+}
+
+/// The fault of a card that is not for an element.
+pub fn unsuited(
+    entry: &Entry<'_>,
+    elset: Token<'_>,
+    (element, cell): (ElementType, CellId),
+    scene: &Scene<'_>,
+) -> Diagnostic {
+    let (star, label) = (entry.keyword.name, scene.cell_name(cell));
+    let title = format!("`*{star}` is not for {} elements such as {label}", element.name());
+    Diagnostic::error(elset.span, title).label(format!("they have `*{}`", card_of(element).0))
 }
 
 fn section(

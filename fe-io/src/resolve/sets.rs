@@ -1,7 +1,7 @@
 //! `*NSET` and `*ELSET`.
 
 use super::labels::Labels;
-use super::nodes::line_fields;
+use super::lines::line_fields;
 use super::scene::Scene;
 use crate::deck::card::{Line, Token};
 use crate::diagnostic::{Diagnostic, Diagnostics};

@@ -189,6 +189,7 @@ const IDLE: &[(&str, Analysis, &str)] = &[
 /// Cards for static steps alone, and what there is instead.
 const STATIC: &[(&str, &str)] = &[
     ("MODEL CHANGE", "`*CONTACT PAIR, OP=DELETE` in the step takes a pair away"),
+    ("CHANGE FRICTION", "write the `*FRICTION` of the interaction before the first step"),
     ("CONTACT INTERFERENCE", "overlaps of the first step are taken out by moving nodes, without strain"),
 ];
 

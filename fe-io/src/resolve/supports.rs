@@ -1,7 +1,7 @@
 //! `*BOUNDARY`.
 
 use super::amplitudes::Amplitudes;
-use super::nodes::line_fields;
+use super::lines::line_fields;
 use super::scene::{Analysis, Scene};
 use crate::deck::card::{Token, normalized};
 use crate::deck::number::whole;

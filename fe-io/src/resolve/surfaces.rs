@@ -3,7 +3,7 @@
 use super::asked::{self, Asked};
 use super::combine;
 use super::faces::Shared;
-use super::nodes::line_fields;
+use super::lines::line_fields;
 use super::rigid;
 use super::scene::{Scene, Surface};
 use crate::deck::card::{Token, normalized};

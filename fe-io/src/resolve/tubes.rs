@@ -1,7 +1,8 @@
 //! `*INTERFACE` and `*SLIDE LINE`.
 
-use super::contact_elements::{elements, one_line, place, refuse};
+use super::contact_elements::{elements, place, refuse};
 use super::interactions::Interactions;
+use super::lines::one_line;
 use super::scene::Scene;
 use super::sets::generated;
 use crate::deck::card::Token;
@@ -60,7 +61,7 @@ impl Tubes {
         diagnostics: &mut Diagnostics,
     ) {
         let Some((name, element, cells)) = elements(entry, Family::Tube, scene, diagnostics) else { return };
-        let Some(row) = one_line(entry, scene, diagnostics) else { return };
+        let Some(row) = one_line(entry, scene.deck, diagnostics) else { return };
         let of = |cell: &CellId| self.lines.iter().position(|(_, cells, _)| cells.binary_search(cell).is_ok());
         let Some(cell) = cells.iter().find(|cell| of(cell).is_none()) else {
             let first = of(&cells[0]);

@@ -1,6 +1,6 @@
 //! `*INITIAL CONDITIONS, TYPE=VELOCITY`.
 
-use super::nodes::fields;
+use super::lines::fields;
 use super::scene::{Analysis, Scene};
 use super::supports::without_freedom;
 use crate::deck::source::Span;

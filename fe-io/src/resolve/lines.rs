@@ -1,0 +1,31 @@
+//! Data lines of cards.
+
+use crate::deck::Deck;
+use crate::diagnostic::{Diagnostic, Diagnostics};
+use crate::keyword::check::Entry;
+use crate::keyword::row::{Row, names};
+use crate::keyword::{Data, Field};
+
+/// Fields of a card's first kind of data line.
+pub fn fields(entry: &Entry<'_>) -> &'static [Field] {
+    line_fields(entry, 0)
+}
+
+/// Fields of one kind of a card's data lines.
+pub fn line_fields(entry: &Entry<'_>, kind: usize) -> &'static [Field] {
+    match entry.keyword.data {
+        Data::Lines(lines) => lines.get(kind).map_or(&[], |line| line.fields),
+        Data::None | Data::Text(_) => &[],
+    }
+}
+
+/// The one data line of a card; `None` where it is faulty or missing, which is told.
+pub fn one_line<'a>(entry: &Entry<'a>, deck: &'a Deck, diagnostics: &mut Diagnostics) -> Option<Row<'a>> {
+    let Some(line) = deck.lines(entry.card).next() else {
+        let fault = Diagnostic::error(entry.card.span, format!("`*{}` has no data line", entry.keyword.name));
+        diagnostics.push(fault.help(format!("write: {}", names(fields(entry)))));
+        return None;
+    };
+    let row = Row::read(line, fields(entry), diagnostics);
+    row.sound.then_some(row)
+}
