@@ -91,6 +91,41 @@ fn a07_itt_pipe_in_pipe() {
     }
 }
 
+/// A07: the pipes touch first under P = k_i c; a little less leaves them open.
+#[test]
+fn a07_first_touch() {
+    let touch = 191.9035589260018;
+    let stiffness = 3.0 * YOUNG * inertia(44.0, 36.0) / 1e9;
+    close("closed form", 3.0 * stiffness, touch, 1e-12);
+    for (part, force) in [(1.0 - 1e-6, 0.0), (1.0 + 1e-3, pipes_in_contact(3.0, 1.001 * touch)[0])] {
+        let (u, f) = solve("pipes_touch", &pipes(&[11], 3.0, "TYPE=LINEAR", 0.0, part * touch));
+        // The force is the difference of numbers a thousand times as large.
+        close("force", if f[3 * 10 + 1].is_nan() { 0.0 } else { -f[3 * 10 + 1] }, force, 1e3 * BOUND);
+        close("tip", u[3 * 10 + 1], (part * touch - force) / stiffness, BOUND);
+    }
+}
+
+/// A07 with n linear beams: their flexibilities are 1 − 1/(4n²) of bending, and L/(κ G A) of shear. The element's E11 is the
+/// clearance used up, its S11 the force.
+#[test]
+fn a07_pipes_of_linear_beams() {
+    // The modulus of the deck's sections; κ of a general section is 1.
+    let shear = 8e4;
+    let flexibility = |outer: f64, inner: f64| {
+        let area = PI / 4.0 * (outer * outer - inner * inner);
+        1e9 / (3.0 * YOUNG * inertia(outer, inner)) * (1.0 - 1.0 / 400.0) + 1e3 / (shear * area)
+    };
+    let (inner, outer) = (flexibility(44.0, 36.0), flexibility(60.0, 50.0));
+    let force = (2000.0 * inner - 3.0) / (inner + outer);
+    let deck = pipes(&[11], 3.0, "TYPE=LINEAR", 0.4, 2000.0)
+        .replace("TYPE=B33", "TYPE=B31")
+        .replace("*END STEP", "*EL PRINT, ELSET=TUBES\nS, E\n*END STEP");
+    let job = Job::run("linear_pipes", &deck);
+    // Tables print ten digits, and linear beams of this slenderness keep eight.
+    close("S11", job.last("stresses", "TUBES", 1), force, BOUND);
+    close("E11", job.last("strains", "TUBES", 1), 0.0, 1e-6);
+}
+
 /// A clearance of a billionth of the radius, and none at all, where the pipes begin concentric.
 #[test]
 fn d23_thin_itt() {

@@ -95,6 +95,42 @@ fn a25_press_fit() {
     }
 }
 
+/// A ring whose E/(1 − ν²) and ν/(1 − ν) are the E and ν of this one, which is so in plane stress.
+fn as_plane_strain([inner, outer, young, nu]: [f64; 4]) -> [f64; 4] {
+    let nu_strain = nu / (1.0 + nu);
+    [inner, outer, young * (1.0 - nu_strain * nu_strain), nu_strain]
+}
+
+/// Slices that are free along the axis but for one node: plane stress, with the displacements of both faces; two rings of
+/// steel press with 24.609375.
+#[test]
+fn a25_press_fit_in_plane_stress() {
+    let steel = [40.0, 60.0, 210e3, 0.3];
+    for (outer, exact) in [(OUTER, 10.3380374138), (steel, 24.609375)] {
+        let given = pressure(as_plane_strain(INNER), as_plane_strain(outer), 0.0);
+        assert!((given / exact - 1.0).abs() < 1e-9, "{given}");
+        for n in [2, 4, 8] {
+            let free = deck([INNER, outer], n, "", [GAP, SHRINK], 2).replace("NI, 2\nNO, 2\n", "1, 2\n1001, 2\n");
+            let print = "*NODE PRINT, NSET=NI\nU\n*NODE PRINT, NSET=NO\nU\n*CONTACT PRINT";
+            let job = Job::run("press_fit_free", &free.replace("*CONTACT PRINT", print));
+            let tables = job.tables();
+            let bound = 0.06 / (n * n) as f64;
+            let pressures = &tables.iter().rfind(|t| t.title.starts_with("contact stress")).unwrap().rows;
+            assert!(pressures.iter().all(|row| (row.values[0] / exact - 1.0).abs() <= bound), "{n}: {pressures:?}");
+            let across = |set: &str, label: u64| {
+                let table = tables.iter().rfind(|t| t.title.starts_with("displacements") && t.set == set).unwrap();
+                table.rows.iter().find(|row| row.labels[0] == label).unwrap().values[0]
+            };
+            let [inward, outward] =
+                [compliance(as_plane_strain(INNER), 40.0), compliance(as_plane_strain(outer), 40.0)];
+            let found = [across("NI", n as u64 + 1), across("NO", 1001)];
+            for (u, exact) in found.into_iter().zip([-exact * inward, exact * outward]) {
+                assert!((u - exact).abs() <= bound * INTERFERENCE, "{n}: {u}, not {exact}");
+            }
+        }
+    }
+}
+
 /// By a penalty k the interference is δ − p/k.
 #[test]
 fn a25_press_fit_by_penalty() {
