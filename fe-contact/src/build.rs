@@ -115,6 +115,8 @@ impl Contact {
         }
         let place = |&n: &u32| freedoms.of_node(n as usize);
         let both = sides.secondary_nodes.iter().chain(&sides.main_nodes);
+        let components = |n: &u32| place(n).map(|f| freedoms.component(f)).collect::<Vec<_>>();
+        let unusual = |(_, components): &(u32, Vec<usize>)| components.iter().enumerate().any(|(k, c)| k != *c);
         Ok(Contact {
             name,
             surfaces,
@@ -137,8 +139,9 @@ impl Contact {
                 measure: points.first().map_or(MeasureKind::Pressure, |p| MeasureKind::of(p.measure)),
             },
             notes: std::mem::take(&mut sides.notes),
+            components: both.clone().map(|n| (*n, components(n))).filter(unusual).collect(),
             positions: both.map(|&n| (n, Vec3::from(structure.mesh.points[n as usize]))).collect(),
-            reference: reference.map(|n| (n, place(&n).map(|f| freedoms.component(f)).collect())),
+            rigid_main: reference.is_some(),
             points,
             cells,
             sides,

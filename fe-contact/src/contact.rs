@@ -53,8 +53,10 @@ pub struct Contact {
     pub(crate) sides: Prepared,
     /// Places of the nodes of both sides.
     pub(crate) positions: BTreeMap<u32, Vec3>,
-    /// Components of the reference node of a rigid main side.
-    pub(crate) reference: Option<(u32, Vec<usize>)>,
+    /// Components of the freedoms of nodes where they are not the first ones, in order.
+    pub(crate) components: BTreeMap<u32, Vec<usize>>,
+    /// The main side is an analytical rigid surface.
+    pub(crate) rigid_main: bool,
     /// Whether the present step has it act.
     pub(crate) activity: Activity,
     /// Overclosure that the present step lets be.
@@ -103,7 +105,7 @@ impl Contact {
 
     /// True when the main side is an analytical rigid surface: nothing was searched.
     pub fn has_rigid_main(&self) -> bool {
-        self.reference.is_some()
+        self.rigid_main
     }
 
     /// The law of friction, or the one that the present step leads to; `None`: the surfaces slide freely.

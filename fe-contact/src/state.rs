@@ -171,7 +171,7 @@ impl Contact {
         for (&n, place) in p.nodes.iter().zip(&self.places[point]) {
             let is_main = n != p.node && self.sides.main_nodes.binary_search(&n).is_ok();
             let at = if is_main { &mut forces.main } else { &mut forces.secondary }.entry(n).or_default();
-            let components = self.reference.as_ref().filter(|r| r.0 == n).map(|r| r.1.as_slice());
+            let components = self.components.get(&n);
             for (k, d) in row.by_ref().take(place.len()).enumerate() {
                 match components.map_or(k, |c| c[k]) {
                     c @ 0..3 => at[c] += force * d,

@@ -1,4 +1,4 @@
-//! The slider built of springs and contact elements, through the program: k x + A p(x − g₀) = F with g₀ = 0.1 and
+//! The slider built of springs and contact elements, or a node on a plane, through the program: k x + A p(x − g₀) = F with g₀ = 0.1 and
 //! k = 1000. Read with all digits from the results file; the algebraic bound of 1e-10 holds.
 #![allow(clippy::unwrap_used)]
 
@@ -14,13 +14,22 @@ enum Stop {
     Gap(Option<f64>),
     /// ITT31 in the middle of a slide line that is held.
     Tube,
+    /// The node as a surface, with an area or without, on a rigid plane.
+    Node(Option<f64>),
 }
 
-const STOPS: [Stop; 4] = [Stop::Gap(Some(1.0)), Stop::Gap(Some(0.25)), Stop::Gap(None), Stop::Tube];
+const STOPS: [Stop; 6] = [
+    Stop::Gap(Some(1.0)),
+    Stop::Gap(Some(0.25)),
+    Stop::Gap(None),
+    Stop::Tube,
+    Stop::Node(Some(0.25)),
+    Stop::Node(None),
+];
 
 impl Stop {
     fn area(self) -> f64 {
-        if let Stop::Gap(Some(area)) = self { area } else { 1.0 }
+        if let Stop::Gap(Some(area)) | Stop::Node(Some(area)) = self { area } else { 1.0 }
     }
 
     /// Node 1 slides along y on a spring; `behavior` follows the card of the stop.
@@ -33,11 +42,22 @@ impl Stop {
             Stop::Tube => "*ELEMENT, TYPE=ITT31, ELSET=STOP\n2, 1\n*SLIDE LINE, ELSET=STOP, TYPE=LINEAR\n2, 3\n\
                            *INTERFACE, ELSET=STOP\n0.1\n"
                 .into(),
+            Stop::Node(area) => format!(
+                "*SURFACE, NAME=POINT, TYPE=NODE\n1{}\n*SURFACE, NAME=FLAT, TYPE=CYLINDER\n0., 0.1, 0., 1., 0.1, 0.\n\
+                 0., 0.1, 1.\nSTART, -5., 0.\nLINE, 5., 0.\n*RIGID BODY, ANALYTICAL SURFACE=FLAT, REF NODE=2\n\
+                 *BOUNDARY\n2, 4, 6\n*SURFACE INTERACTION, NAME=I\n",
+                area.map_or(String::new(), |area| format!(", {area}"))
+            ),
+        };
+        // A spring alone gives its node the freedom along it.
+        let (pair, across, held) = match self {
+            Stop::Node(_) => ("*CONTACT PAIR, INTERACTION=I\nPOINT, FLAT\n", "", "2, 1, 3\n"),
+            _ => ("", "1, 1\n1, 3\n", "HELD, 1, 3\n"),
         };
         format!(
             "*NODE\n1, 0., 0., 0.\n2, -2., 0., 0.\n3, 1., 0., 0.\n*NSET, NSET=HELD\n2, 3\n\
-             *ELEMENT, TYPE=SPRING1, ELSET=SPRING\n1, 1\n*SPRING, ELSET=SPRING\n2\n1000.\n{stop}{behavior}\
-             *BOUNDARY\n1, 1\n1, 3\nHELD, 1, 3\n"
+             *ELEMENT, TYPE=SPRING1, ELSET=SPRING\n1, 1\n*SPRING, ELSET=SPRING\n2\n1000.\n{stop}{behavior}{pair}\
+             *BOUNDARY\n{across}{held}"
         )
     }
 }
