@@ -17,7 +17,9 @@ pub fn of_parameters(
 ) -> Option<usize> {
     let (main, secondary) = (entry.value("MAIN"), entry.value("SECONDARY"));
     let (Some(main), Some(secondary)) = (main, secondary) else {
-        if let Some(one) = main.or(secondary) {
+        // Where both are required, the missing one was told.
+        let required = entry.keyword.parameters.iter().any(|parameter| parameter.name == "MAIN" && parameter.required);
+        if let Some(one) = main.or(secondary).filter(|_| !required) {
             diagnostics.push(Diagnostic::error(one.span, "`MAIN` and `SECONDARY` are given both or not at all"));
         }
         return None;
