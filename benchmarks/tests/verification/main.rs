@@ -7,6 +7,7 @@ mod beams;
 mod beams_on_rigid;
 mod bending;
 mod bodies;
+mod cattaneo;
 mod contact_patch;
 mod deck;
 mod hertz;
