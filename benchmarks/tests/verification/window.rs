@@ -84,14 +84,12 @@ fn below(errors: &[(f64, f64)], constant: f64, order: i32) {
     errors.iter().for_each(|(h, e)| assert!(*e <= constant * h.powi(order), "{}", line(errors)));
 }
 
-/// With a stiffness 80 M/h² (a = 1) energy within 0.5/n, displacement 0.09/n², nodal pressure 0.45/n, resultant 0.005/n²: of nodal contact
+/// With a stiffness 80 M/h² (a = 1) energy within 0.5/n, displacement 0.09/n², nodal pressure 0.45/n: of nodal contact
 /// on squares, and met by means over the surface too; twice that on triangles, and twice again in the displacement for
 /// means on triangles, 0.18/n² to 0.22/n². Rates 1, 2 and 1.
 fn stiff(element: ElementType, meshes: &[usize], kind: &str) {
-    let [energy, displacement, pressure, resultant] = study(element, meshes, kind, |n| Some(80.0 * modulus() * n * n));
+    let [energy, displacement, pressure, _] = study(element, meshes, kind, |n| Some(80.0 * modulus() * n * n));
     let factor = if element == CPE3 { 2.0 } else { 1.0 };
-    // 1e-5 is what the arc leaves open.
-    resultant.iter().for_each(|(h, e)| assert!(*e <= 5e-3 * factor * h * h + 1e-5, "{}", line(&resultant)));
     below(&energy, 0.5 * factor, 1);
     below(&displacement, 0.09 * if kind == MEANS { factor * factor } else { factor }, 2);
     below(&pressure, 0.45 * factor, 1);
