@@ -3,7 +3,7 @@
 use crate::friction::Friction;
 use crate::law::NormalLaw;
 use crate::law::nonlinear_penalty::NonlinearPenalty;
-use crate::viscous::Damping;
+use crate::viscous::{Damping, ExplicitDamping};
 use std::sync::Arc;
 
 /// How the surfaces answer in normal direction.
@@ -101,6 +101,8 @@ pub struct Interaction {
     pub friction: Option<Friction>,
     /// `*CONTACT DAMPING`; `None`: the surfaces move freely.
     pub damping: Option<Damping>,
+    /// `*CONTACT DAMPING` of explicit steps; `None`: [`ExplicitDamping::default`], none for hard kinematic contact.
+    pub explicit_damping: Option<ExplicitDamping>,
     /// True where some step stabilises motions along the surfaces.
     pub stabilized_along: bool,
     /// The data line: out-of-plane thickness [L] (plane models) or the area [L²] of every node of a node-based

@@ -85,3 +85,46 @@ pub struct PairDefinition {
     /// Gaps of the start.
     pub clearance: Option<Clearance>,
 }
+
+/// How the contact of an explicit pair is enforced.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum MechanicalConstraint {
+    /// By corrections of the accelerations that leave no overclosure, or that of a softened law.
+    #[default]
+    Kinematic,
+    /// By forces that grow with the overclosure.
+    Penalty,
+}
+
+/// How far the surfaces of an explicit pair slide.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Sliding {
+    /// Any distance.
+    #[default]
+    Finite,
+    /// Little: each node keeps its place on the main surface.
+    Small,
+}
+
+/// A contact pair of explicit steps as a model holds it. Where only one of its surfaces can be the secondary one (nodes,
+/// lines, what presses on something rigid) that is the first.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ExplicitPair {
+    /// Name of the first surface.
+    pub secondary_name: String,
+    /// Name of the second surface.
+    pub main_name: String,
+    /// First surface; nodes have no area here: the law gives a force.
+    pub secondary: Secondary,
+    /// Second surface; its faces may be facets of a rigid body.
+    pub main: Main,
+    /// `CPSET=`, capitals.
+    pub set: Option<String>,
+    /// How it is enforced.
+    pub constraint: MechanicalConstraint,
+    /// How far it slides.
+    pub sliding: Sliding,
+    /// `WEIGHT=` [-], 0 to 1: 1 makes the first surface the main one, 0 the secondary one, between them both are both, and
+    /// their answers are averaged. `None`: ½ for faces of two deformable bodies, 0 else.
+    pub weight: Option<f64>,
+}

@@ -34,6 +34,32 @@ pub struct Damping {
     pub tangent_fraction: f64,
 }
 
+/// `*CONTACT DAMPING` of an interaction in explicit steps: it acts on closed points alone, and along the surface on what
+/// sticks. Abaqus Analysis User's Manual, Contact damping.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ExplicitDamping {
+    /// Across the surface.
+    pub amount: DampingAmount,
+    /// Damping along the surface over that across it [-].
+    pub tangent_fraction: f64,
+}
+
+/// How large a damping force of explicit steps is, at a relative velocity v.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum DampingAmount {
+    /// μ₀ A v: μ₀ [F T/L³], by the unit rule [F T/L²] or [F T/L].
+    Coefficient(f64),
+    /// ξ √(4 m k) v: ξ [-], m the mass of the node, k the stiffness [F/L] of contact there.
+    CriticalFraction(f64),
+}
+
+impl Default for ExplicitDamping {
+    /// ξ = 0.03, along the surface too: what Abaqus has for contact by penalty and for softened laws.
+    fn default() -> Self {
+        ExplicitDamping { amount: DampingAmount::CriticalFraction(0.03), tangent_fraction: 1.0 }
+    }
+}
+
 /// A damping coefficient.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Coefficient {

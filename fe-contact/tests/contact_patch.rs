@@ -92,6 +92,7 @@ fn deviation(patch: &Patch, enforcement: Enforcement) -> f64 {
         no_separation: false,
         friction: None,
         damping: None,
+        explicit_damping: None,
         stabilized_along: false,
         measure: None,
     };

@@ -87,6 +87,7 @@ fn solve(element: ElementType, n: usize, discretization: Discretization, direct:
         no_separation: false,
         friction: None,
         damping: None,
+        explicit_damping: None,
         stabilized_along: false,
         measure: None,
     };

@@ -3,7 +3,7 @@
 use fe_contact::conditions::Conditions;
 use fe_contact::gap::GapDefinition;
 use fe_contact::interaction::Interaction;
-use fe_contact::pair::PairDefinition;
+use fe_contact::pair::{ExplicitPair, PairDefinition};
 use fe_contact::tube::TubeDefinition;
 use fe_core::amplitude::Amplitude;
 use fe_core::load::{Load, Support};
@@ -34,6 +34,8 @@ pub struct Model {
     pub interactions: Vec<Interaction>,
     /// Contact pairs, each with the place of its data line.
     pub pairs: Vec<(PairDefinition, Place)>,
+    /// Contact pairs of explicit steps, each with the place of its data line; [`Step::explicit_pairs`] says which act.
+    pub explicit_pairs: Vec<(ExplicitPair, Place)>,
     /// Gap elements, each with the place of its card.
     pub gaps: Vec<(GapDefinition, Place)>,
     /// Tube-to-tube elements, each with the place of its card.
@@ -97,8 +99,21 @@ pub struct Step {
     /// What the step says of each contact, in the order of [`Model::pairs`], [`Model::gaps`] and
     /// [`Model::tubes`]; of those that are not listed, nothing.
     pub conditions: Vec<Conditions>,
+    /// The pairs that act in an explicit step, those that earlier steps have left included, by ascending index.
+    pub explicit_pairs: Vec<ActivePair>,
     /// Requests in force (those of earlier steps included where the step has no card of the same kind).
     pub output: Output,
+}
+
+/// A contact pair that acts in an explicit step.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ActivePair {
+    /// Index into [`Model::explicit_pairs`]. A pair that a step defines anew has a new one.
+    pub pair: usize,
+    /// Index into [`Model::interactions`] of what holds in this step; `None`: hard contact that slides freely.
+    pub interaction: Option<usize>,
+    /// `*CONTACT CONTROLS, SCALE PENALTY=`: factor [-] on the default penalty stiffness.
+    pub scale_penalty: f64,
 }
 
 /// What a step prints and stores.
@@ -140,6 +155,8 @@ pub enum Totals {
 pub enum Quantity {
     /// `*NODE PRINT`, U.
     Displacement,
+    /// `*NODE PRINT`, V, in explicit steps.
+    Velocity,
     /// `*NODE PRINT`, RF.
     Reaction,
     /// `*EL PRINT`, S.

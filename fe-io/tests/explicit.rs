@@ -1,12 +1,16 @@
 //! What decks for explicit dynamics say, and what the model holds of it.
 
+use fe_contact::interaction::NormalBehavior;
+use fe_contact::pair::{MechanicalConstraint, Sliding};
+use fe_contact::surface::{Main, Secondary};
+use fe_contact::viscous::{DampingAmount, ExplicitDamping};
 use fe_core::amplitude::Course;
 use fe_core::element::ElementType;
 use fe_core::load::Prescribed;
 use fe_core::material::{Damping, Elastic, Hardening, NeoHooke, Response};
 use fe_core::step::{Displacements, Explicit, IncrementChoice, Procedure};
 use fe_core::structure::{Hourglass, HourglassControl};
-use fe_io::model::RigidBody;
+use fe_io::model::{ActivePair, Quantity, RigidBody};
 use fe_io::{Deck, Library, Model, resolve};
 
 const CUBE: &str = include_str!("good/explicit_cube.inp");
@@ -107,4 +111,65 @@ fn rigid_bodies_and_reduced_elements() {
     let masks = structure.masks();
     assert_eq!(masks[8..13], [0; 5]);
     assert_eq!(structure.freedoms(&model.references()).of_node(13).len(), 6);
+}
+
+/// The decks of problems with known answers are read.
+#[test]
+fn decks_of_laws_and_impacts() {
+    let [bounce, exponential, linear, oscillator] = [
+        include_str!("good/explicit_bounce.inp"),
+        include_str!("good/explicit_law_exponential.inp"),
+        include_str!("good/explicit_law_linear.inp"),
+        include_str!("good/explicit_oscillator.inp"),
+    ]
+    .map(|text| read(text).unwrap_or_else(|faults| panic!("{faults}")));
+    let acting = ActivePair { pair: 0, interaction: Some(0), scale_penalty: 1.0 };
+    for model in [&bounce, &exponential, &linear] {
+        let (pair, _) = &model.explicit_pairs[0];
+        assert_eq!((model.explicit_pairs.len(), pair.constraint), (1, MechanicalConstraint::Penalty));
+        assert_eq!(pair.secondary, Secondary::Nodes(vec![(5, None)]));
+        let Main::Faces(faces) = &pair.main else { panic!("{:?}", pair.main) };
+        assert_eq!(model.structure.mesh.face(faces[0]).1, [0, 1, 2, 3]);
+        assert!(model.steps.iter().all(|step| step.explicit_pairs == [acting]));
+        let damping = ExplicitDamping { amount: DampingAmount::CriticalFraction(0.0), tangent_fraction: 1.0 };
+        assert_eq!(model.interactions[0].explicit_damping, Some(damping));
+    }
+    let printed: Vec<_> = bounce.steps[1].output.tables.iter().map(|table| &table.quantity).collect();
+    assert_eq!(printed, [&Quantity::Displacement, &Quantity::Velocity, &Quantity::Reaction]);
+    assert_eq!(linear.steps[0].supports.items[0].prescribed, Prescribed::Velocity);
+    assert_eq!(oscillator.initial_velocities, [(1, 0, 200.0)]);
+    // k_max, which static steps leave out: the slope is held there.
+    let NormalBehavior::Softened(law) = &exponential.interactions[0].normal else { panic!("it is softened") };
+    assert!((law.respond(-1.0).stiffness - 6000.0).abs() < 1e-9 * 6000.0);
+}
+
+/// Pairs and interactions hold until a step changes them.
+#[test]
+fn pairs_hold_until_a_step_changes_them() {
+    let scene = include_str!("good/explicit_bounce.inp").split("*STEP").next().unwrap_or_default();
+    let step = |cards: &str| format!("*STEP\n*DYNAMIC, EXPLICIT\n, 1e-5\n{cards}*END STEP\n");
+    let steps = [
+        "*CONTACT PAIR, INTERACTION=I, CPSET=A, WEIGHT=0.5, SMALL SLIDING\nBALLS, WALLS\n",
+        "*CONTACT CONTROLS, CPSET=A, SCALE PENALTY=3.\n*SURFACE INTERACTION, NAME=I\n*SURFACE BEHAVIOR, NO SEPARATION\n*FRICTION\n0.3\n",
+        "*CONTACT PAIR, MECHANICAL CONSTRAINT=PENALTY\nBALLS, WALLS\n",
+        "",
+        "*CONTACT PAIR, OP=DELETE\nBALLS, WALLS\n",
+    ];
+    let model = read(&(scene.to_owned() + &steps.map(step).concat())).unwrap_or_else(|faults| panic!("{faults}"));
+    let in_force: Vec<Vec<ActivePair>> = model.steps.iter().map(|step| step.explicit_pairs.clone()).collect();
+    let active = |pair, interaction, scale_penalty| vec![ActivePair { pair, interaction, scale_penalty }];
+    let anew = active(1, None, 1.0);
+    assert_eq!(in_force, [active(0, Some(0), 1.0), active(0, Some(1), 3.0), anew.clone(), anew, vec![]]);
+    let (first, second) = (&model.explicit_pairs[0].0, &model.explicit_pairs[1].0);
+    assert_eq!(
+        (first.constraint, first.sliding, first.weight),
+        (MechanicalConstraint::Kinematic, Sliding::Small, Some(0.5))
+    );
+    assert_eq!(
+        (second.constraint, second.sliding, second.weight),
+        (MechanicalConstraint::Penalty, Sliding::Finite, None)
+    );
+    let [before, after] = [&model.interactions[0], &model.interactions[1]];
+    assert!(before.friction.is_none() && after.friction.is_some() && after.no_separation);
+    assert_eq!((&before.name, before.explicit_damping.is_some()), (&after.name, true));
 }

@@ -44,6 +44,8 @@ impl Printed {
                 let (labels, values) = nodal(source, &table.set, |f| at.u[f]);
                 self.tables.displacements(&table.set, time, &labels, &values)
             }
+            // Static steps have none: the reader refuses them.
+            Quantity::Velocity => Ok(()),
             Quantity::Reaction => {
                 let reaction = |f: usize| if source.fixed[f] { at.residual[f] } else { 0.0 };
                 let (labels, values) = nodal(source, &table.set, reaction);

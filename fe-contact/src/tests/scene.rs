@@ -156,6 +156,7 @@ pub fn linear() -> Interaction {
         no_separation: false,
         friction: None,
         damping: None,
+        explicit_damping: None,
         stabilized_along: false,
         measure: None,
     }

@@ -62,7 +62,7 @@ impl<'a> Entry<'a> {
 /// All cards that are read, in order; what is wrong with the others and with their parameters is told.
 pub fn check<'a>(deck: &'a Deck, laws: &Laws, diagnostics: &mut Diagnostics) -> Vec<Entry<'a>> {
     let mut entries = Vec::new();
-    let mut places = Places::default();
+    let mut places = Places::of(deck);
     for card in &deck.cards {
         match find(&card.keyword) {
             None => {

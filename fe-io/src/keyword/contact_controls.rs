@@ -2,7 +2,7 @@ use super::{Choice, Data, DataLine, Field, Keyword, Kind, Level, Parameter};
 
 const SETTLES: &str = "statuses settle by themselves, see CONVERT SDI of *STEP";
 const STATIC: &str = "there are no perturbation steps";
-const EXPLICIT: &str = "it is for explicit dynamics";
+const FOUND: &str = "points that may touch are found anew as they move";
 
 pub const CONTACT_CONTROLS: Keyword = Keyword {
     name: "CONTACT CONTROLS",
@@ -41,13 +41,13 @@ pub const CONTACT_CONTROLS: Keyword = Keyword {
         Parameter::idle("SLIDE DISTANCE", "sliding is infinitesimal"),
         Parameter::idle("PERTURBATION TANGENT SCALE FACTOR", STATIC),
         Parameter::idle("PRESSURE DEPENDENT PERTURBATION", STATIC),
-        Parameter::not_yet("CPSET", EXPLICIT),
-        Parameter::not_yet("SCALE PENALTY", EXPLICIT),
-        Parameter::not_yet("GLOBTRKINC", EXPLICIT),
-        Parameter::not_yet("FASTLOCALTRK", EXPLICIT),
-        Parameter::not_yet("WARP CHECK PERIOD", EXPLICIT),
-        Parameter::not_yet("WARP CUT OFF", EXPLICIT),
-        Parameter::choice("TYPE", &[Choice::not_yet("SCALE PENALTY", EXPLICIT)], "not there yet"),
+        Parameter::name("CPSET", "explicit: the set of pairs that is meant"),
+        Parameter::of("SCALE PENALTY", Kind::Number, "explicit: factor on the default penalty stiffness; 1"),
+        Parameter::idle("GLOBTRKINC", FOUND),
+        Parameter::idle("FASTLOCALTRK", FOUND),
+        Parameter::idle("WARP CHECK PERIOD", FOUND),
+        Parameter::idle("WARP CUT OFF", FOUND),
+        Parameter::choice("TYPE", &[Choice::not_yet("SCALE PENALTY", "say `SCALE PENALTY=`")], "not there yet"),
     ],
     data: Data::Lines(&[DataLine::optional(&[
         Field::number("coefficient", "F·T/L³", "damping coefficient")

@@ -1,6 +1,8 @@
 //! Where cards stand: in the model, a part, the assembly, one of its instances, or a step.
 
+use super::same;
 use super::table::{Keyword, Level};
+use crate::deck::Deck;
 use crate::deck::card::Card;
 use crate::diagnostic::{Diagnostic, Diagnostics};
 
@@ -13,7 +15,7 @@ const BLOCKS: [(&str, &str, &str); 4] = [
 ];
 
 /// Cards that are model data in static jobs, and may stand in steps of explicit dynamics.
-const EXPLICIT: [&str; 3] = ["SURFACE INTERACTION", "SURFACE BEHAVIOR", "CONTACT PAIR"];
+const EXPLICIT: [&str; 4] = ["SURFACE INTERACTION", "SURFACE BEHAVIOR", "CONTACT DAMPING", "CONTACT PAIR"];
 
 /// What a card stands in.
 #[derive(Clone, Copy, Debug, Default)]
@@ -27,12 +29,21 @@ pub(super) struct Place<'a> {
 /// What has begun and not ended, while cards are read in order.
 #[derive(Default)]
 pub(super) struct Places<'a> {
+    /// True when the deck has an explicit step.
+    explicit: bool,
     steps: usize,
     /// Card, its keyword, its end and its name with an article; the innermost last.
     open: Vec<(&'a Card, (&'static str, &'static str, &'static str))>,
 }
 
 impl<'a> Places<'a> {
+    /// Of a deck, before its first card.
+    pub fn of(deck: &'a Deck) -> Self {
+        let says = |card: &Card, name: &str| card.parameters.iter().any(|parameter| same(&parameter.name, name));
+        let explicit = |card: &Card| same(&card.keyword, "DYNAMIC") && says(card, "EXPLICIT");
+        Places { explicit: deck.cards.iter().any(explicit), ..Places::default() }
+    }
+
     /// The place of the next card; one in a wrong place is told.
     pub fn enter(&mut self, card: &'a Card, keyword: &Keyword, diagnostics: &mut Diagnostics) -> Place<'a> {
         let block = BLOCKS.into_iter().find(|(begin, end, _)| [*begin, *end].contains(&keyword.name));
@@ -106,6 +117,7 @@ impl<'a> Places<'a> {
         let star = format!("`*{}`", keyword.name);
         let fault = |title: String| Diagnostic::error(card.span, format!("{star} {title}"));
         let fault = match (self.open.last(), keyword.level) {
+            (Some((_, ("STEP", ..))), _) if self.explicit && EXPLICIT.contains(&keyword.name) => return,
             (Some((step, ("STEP", ..))), Level::Model | Level::Part | Level::Assembly) => {
                 let explicit = EXPLICIT.contains(&keyword.name);
                 let fault = match explicit {

@@ -27,7 +27,11 @@ pub const NODE_PRINT: Keyword = Keyword {
         LOCAL,
         OFTEN,
     ],
-    data: Data::Lines(&[DataLine::many(&[Field::word("key", "U displacements, RF reactions").repeats()])]),
+    data: Data::Lines(&[DataLine::many(&[Field::word(
+        "key",
+        "U displacements, RF reactions, in explicit steps V velocities",
+    )
+    .repeats()])]),
     source: "Abaqus Keywords Reference, *NODE PRINT; layout of the tables as CalculiX",
 };
 

@@ -2,7 +2,8 @@
 
 use super::conditions::InForce;
 use super::lines::fields;
-use super::scene::Scene;
+use super::procedures::only_for;
+use super::scene::{Analysis, Scene};
 use super::steps::Named;
 use super::which_pair;
 use crate::deck::number::number;
@@ -16,6 +17,7 @@ impl InForce {
     /// Reads a card: it holds for one pair, or for all pairs that no card has named, and all contact elements.
     pub fn control(&mut self, entry: &Entry<'_>, scene: &Scene<'_>, named: &Named<'_>, diagnostics: &mut Diagnostics) {
         let before = diagnostics.faults();
+        only_for(entry, &["CPSET", "SCALE PENALTY"], Analysis::Explicit, diagnostics);
         let pair = which_pair::of_parameters(entry, named.pairs, scene, diagnostics);
         let tolerance = tolerance(entry, diagnostics);
         let scale = positive(entry, "STIFFNESS SCALE FACTOR", diagnostics);

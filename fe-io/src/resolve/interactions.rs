@@ -2,6 +2,8 @@
 //! `*CONTACT DAMPING`.
 
 use super::lines::fields;
+use super::procedures::only_for;
+use super::scene::Analysis;
 use super::{contact_damping, formula, friction, hard};
 use crate::deck::Deck;
 use crate::deck::card::{Card, Line, normalized};
@@ -26,6 +28,8 @@ pub struct Given<'a> {
     pub laws: &'a Laws,
     /// Size [L] of the model.
     pub size: f64,
+    /// Kind of its steps.
+    pub analysis: Analysis,
 }
 
 /// The card that gives an interaction a name.
@@ -43,6 +47,8 @@ pub struct Interactions {
     pub list: Vec<Interaction>,
     /// Keyword and place of each one's card.
     cards: Vec<(&'static str, Span)>,
+    /// Steps in which they are defined, from 0.
+    steps: Vec<Option<usize>>,
     /// Places of the cards that describe each one, by keyword.
     described: Vec<BTreeMap<&'static str, Span>>,
 }
@@ -54,7 +60,7 @@ impl Interactions {
         let mut all = Interactions::default();
         for entry in entries {
             if PARENTS.contains(&entry.keyword.name) {
-                all.begin(entry, deck, diagnostics);
+                all.begin(entry, given, diagnostics);
                 continue;
             }
             let of = parent(entry, deck);
@@ -76,6 +82,10 @@ impl Interactions {
                     let friction = friction::of_interaction(entry, deck, diagnostics);
                     of.into_iter().for_each(|i| all.list[i].friction = friction.clone());
                 }
+                "CONTACT DAMPING" if given.analysis == Analysis::Explicit => {
+                    let damping = contact_damping::explicit(entry, deck, diagnostics);
+                    of.into_iter().for_each(|i| all.list[i].explicit_damping = damping);
+                }
                 "CONTACT DAMPING" => {
                     let damping = contact_damping::read(entry, deck, diagnostics);
                     of.into_iter().for_each(|i| all.list[i].damping = damping);
@@ -89,17 +99,23 @@ impl Interactions {
         all
     }
 
-    fn begin(&mut self, entry: &Entry<'_>, deck: &Deck, diagnostics: &mut Diagnostics) {
+    fn begin(&mut self, entry: &Entry<'_>, given: Given<'_>, diagnostics: &mut Diagnostics) {
         let named = entry.keyword.name == NAMED;
         let Some(value) = entry.value(if named { "NAME" } else { "ELSET" }) else { return };
         let name = normalized(&value.text);
-        if let Some(first) = self.find(&name).filter(|_| named) {
+        // A later step may define it anew.
+        if let Some(first) = self.find(&name).filter(|&first| named && self.steps[first] == entry.step) {
             let fault = Diagnostic::error(value.span, format!("interaction `{name}` is there twice"));
             diagnostics.push(fault.related(self.cards[first].1, "first here"));
         }
         // What contact elements measure stands with them.
-        let line = deck.lines(entry.card).next().filter(|_| named);
-        let measure = line.and_then(|line| Row::read(line, fields(entry), diagnostics).number(0));
+        let line = given.deck.lines(entry.card).next().filter(|_| named);
+        let mut measure = line.and_then(|line| Row::read(line, fields(entry), diagnostics).number(0));
+        if let (Some(line), Some(_), Analysis::Explicit) = (line, measure, given.analysis) {
+            measure = None;
+            let note = Diagnostic::note(line.span, "this line has no effect in explicit steps");
+            diagnostics.push(note.label("laws of nodes give forces, and planes have the thickness of their elements"));
+        }
         let normal = NormalBehavior::Hard(Enforcement::Usual);
         let (friction, damping) = (None, None);
         self.list.push(Interaction {
@@ -108,10 +124,12 @@ impl Interactions {
             no_separation: false,
             friction,
             damping,
+            explicit_damping: None,
             stabilized_along: false,
             measure,
         });
         self.cards.push((entry.keyword.name, entry.card.span));
+        self.steps.push(entry.step);
         self.described.push(BTreeMap::new());
     }
 
@@ -130,9 +148,19 @@ impl Interactions {
         }
     }
 
-    /// Index of a `*SURFACE INTERACTION` by name.
+    /// Index of a `*SURFACE INTERACTION` by name: the last of them.
     pub fn find(&self, name: &str) -> Option<usize> {
-        self.list.iter().zip(&self.cards).position(|(i, card)| card.0 == NAMED && i.name == name)
+        self.find_in(name, usize::MAX)
+    }
+
+    /// Index of what a step, from 0, finds under a name: what it defines, or an earlier step, or the model.
+    pub fn find_in(&self, name: &str, step: usize) -> Option<usize> {
+        let known = self.list.iter().zip(&self.cards).zip(&self.steps);
+        let named = |((i, card), of): ((&Interaction, &(&str, Span)), &Option<usize>)| {
+            card.0 == NAMED && i.name == name && of.is_none_or(|of| of <= step)
+        };
+        let found: Vec<bool> = known.map(named).collect();
+        found.iter().rposition(|found| *found)
     }
 
     /// Index of the `*SURFACE INTERACTION` that a card's `INTERACTION=` names; a missing one is told.
@@ -174,11 +202,11 @@ fn parent<'a>(entry: &Entry<'_>, deck: &'a Deck) -> Option<&'a Card> {
 
 /// What the card says; `None` when it is refused, which was told.
 fn behavior(entry: &Entry<'_>, given: Given<'_>, diagnostics: &mut Diagnostics) -> Option<NormalBehavior> {
-    let Given { deck, laws, size } = given;
+    let Given { deck, laws, size, analysis } = given;
     let before = diagnostics.faults();
     let overclosure = entry.name("PRESSURE-OVERCLOSURE").filter(|word| word != "HARD");
     let law = overclosure.as_deref().and_then(|word| laws.0.iter().find(|law| keyword::same(law.keyword, word)));
-    exclusions(entry, overclosure.as_deref(), diagnostics);
+    exclusions(entry, overclosure.as_deref(), analysis, diagnostics);
     let behavior = match (&overclosure, law) {
         (Some(word), None) if keyword::same(word, "FORMULA") => formula::read(entry, deck, size, diagnostics),
         (Some(word), None) => {
@@ -194,7 +222,17 @@ fn behavior(entry: &Entry<'_>, given: Given<'_>, diagnostics: &mut Diagnostics) 
 }
 
 /// Words that cannot stand beside each other.
-fn exclusions(entry: &Entry<'_>, softened: Option<&str>, diagnostics: &mut Diagnostics) {
+fn exclusions(entry: &Entry<'_>, softened: Option<&str>, analysis: Analysis, diagnostics: &mut Diagnostics) {
+    if analysis == Analysis::Explicit {
+        only_for(entry, &["PENALTY", "AUGMENTED LAGRANGE", "DIRECT"], Analysis::Static, diagnostics);
+        let straight = softened.is_none_or(|law| ["LINEAR", "TABULAR"].contains(&law));
+        if let (Some(parameter), Some(law), false) = (entry.parameter("NO SEPARATION"), softened, straight) {
+            let title = format!("`NO SEPARATION` cannot be used with `PRESSURE-OVERCLOSURE={law}`");
+            let fault = Diagnostic::error(parameter.span, title);
+            diagnostics.push(fault.help("hard contact, LINEAR and TABULAR go on into tension"));
+        }
+        return;
+    }
     if let (Some(parameter), Some(law)) = (entry.parameter("NO SEPARATION"), softened) {
         let title = "`NO SEPARATION` cannot be used with a softened `PRESSURE-OVERCLOSURE` in static steps";
         let fault = Diagnostic::error(parameter.span, title).label(format!("the law is `{law}`"));
@@ -216,7 +254,7 @@ fn exclusions(entry: &Entry<'_>, softened: Option<&str>, diagnostics: &mut Diagn
 
 fn softened(
     entry: &Entry<'_>,
-    Given { deck, size, .. }: Given<'_>,
+    Given { deck, size, analysis, .. }: Given<'_>,
     law: &LawDefinition,
     diagnostics: &mut Diagnostics,
 ) -> Option<NormalBehavior> {
@@ -240,7 +278,7 @@ fn softened(
     }
     let mut data: Vec<f64> = Vec::new();
     for row in &rows {
-        data.extend(numbers(row, law, diagnostics)?);
+        data.extend(numbers(row, law, analysis, diagnostics)?);
     }
     if rows.is_empty() {
         data.extend(law.data.iter().filter_map(|datum| datum.default).map(|(value, _)| value));
@@ -281,12 +319,12 @@ fn of_the(law: &LawDefinition, words: &str) -> String {
     format!("law `{}`: {words}", law.keyword)
 }
 
-/// The numbers of a line; those for Explicit alone are remarked and left at their default, as every step is static.
-fn numbers(row: &Row<'_>, law: &LawDefinition, diagnostics: &mut Diagnostics) -> Option<Vec<f64>> {
+/// The numbers of a line; those for Explicit alone are remarked in static steps, and left at their default.
+fn numbers(row: &Row<'_>, law: &LawDefinition, analysis: Analysis, diagnostics: &mut Diagnostics) -> Option<Vec<f64>> {
     let number = |(i, datum): (usize, &Datum)| {
         let default = datum.default.map(|(value, _)| value);
         match row.token(i) {
-            Some(token) if datum.explicit => {
+            Some(token) if datum.explicit && analysis == Analysis::Static => {
                 let title = format!("the {} of law `{}` has an effect in Explicit only", datum.name, law.keyword);
                 diagnostics.push(Diagnostic::note(token.span, title).label("static steps leave it out"));
                 default

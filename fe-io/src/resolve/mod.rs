@@ -14,6 +14,7 @@ mod controls;
 mod cracks;
 mod discrete;
 mod elements;
+mod explicit_pairs;
 mod faces;
 mod formula;
 mod friction;
@@ -52,12 +53,11 @@ use crate::diagnostic::{Diagnostic, Diagnostics, Severity};
 use crate::keyword::check::{Entry, check};
 use crate::model::{Model, Step};
 use amplitudes::Amplitudes;
-use change_friction::Frictions;
 use fe_contact::law::Laws;
 use fe_contact::search::Bounds;
 use fe_core::structure::Structure;
 use interactions::{Given, Interactions};
-use scene::Scene;
+use scene::{Analysis, Scene};
 use std::sync::Arc;
 use steps::{InForce, Named};
 use supports::Supports;
@@ -91,15 +91,23 @@ pub fn resolve(deck: &Deck, library: &Library) -> Result<Model, Diagnostics> {
         &written,
         &["SURFACE INTERACTION", "GAP", "INTERFACE", "SURFACE BEHAVIOR", "FRICTION", "CONTACT DAMPING"],
     );
-    contact.retain(|entry| entry.step.is_none() || entry.keyword.name != "FRICTION");
-    let given = Given { deck, laws: &library.laws, size: size(&scene.structure) };
+    // The friction of a static step belongs to its `*CHANGE FRICTION`.
+    let explicit = scene.analysis == Analysis::Explicit;
+    contact.retain(|entry| explicit || entry.step.is_none() || entry.keyword.name != "FRICTION");
+    let given = Given { deck, laws: &library.laws, size: size(&scene.structure), analysis: scene.analysis };
     let mut interactions = Interactions::read(&contact, given, &mut diagnostics);
     if scene.unread {
         return Err(diagnostics);
     }
     let mut contact_pairs = Vec::new();
-    for entry in named(&entries, &["CONTACT PAIR"]) {
-        pairs::read(&entry, &scene, &interactions, &mut contact_pairs, &mut diagnostics);
+    for entry in named(&entries, &["CONTACT PAIR"]).iter().filter(|entry| !explicit || entry.step.is_none()) {
+        if explicit {
+            let fault = Diagnostic::error(entry.card.span, "in explicit dynamics a contact pair belongs into a step");
+            diagnostics
+                .push(fault.help("write it after the `*DYNAMIC, EXPLICIT` of the first step: it holds from there"));
+            continue;
+        }
+        pairs::read(entry, &scene, &interactions, &mut contact_pairs, &mut diagnostics);
     }
     let mut gaps = Vec::new();
     each(&entries, &["GAP"], &mut scene, |entry, scene| {
@@ -123,8 +131,8 @@ pub fn resolve(deck: &Deck, library: &Library) -> Result<Model, Diagnostics> {
     let of_tubes = tubes.list.iter().map(|(tubes, _)| (tubes.name.as_str(), tubes.interaction));
     let elements = of_gaps.chain(of_tubes).collect();
     let names = Named { amplitudes: &amplitudes, interactions: &interactions, pairs: &contact_pairs, elements };
-    let (steps, frictions) = steps(&entries, &names, &mut scene, &mut diagnostics);
-    frictions.begin_job(&mut interactions);
+    let (steps, in_force) = steps(&entries, &names, &mut scene, &mut diagnostics);
+    in_force.conditions.frictions.begin_job(&mut interactions);
     if diagnostics.faults() == 0 {
         quality::twins(&scene, &mut diagnostics);
         cracks::tell(&scene, &contact_pairs, &tubes.list, &mut diagnostics);
@@ -140,6 +148,7 @@ pub fn resolve(deck: &Deck, library: &Library) -> Result<Model, Diagnostics> {
         amplitudes: amplitudes.list,
         interactions: interactions.list,
         pairs: contact_pairs,
+        explicit_pairs: in_force.explicit_pairs.list,
         gaps,
         tubes: tubes.list,
         rigid_bodies: scene.rigid_bodies.into_iter().map(|(body, _)| body).collect(),
@@ -226,7 +235,7 @@ fn steps(
     names: &Named<'_>,
     scene: &mut Scene<'_>,
     diagnostics: &mut Diagnostics,
-) -> (Vec<Step>, Frictions) {
+) -> (Vec<Step>, InForce) {
     let mut in_force = InForce::default();
     let mut steps = Vec::new();
     let of_steps: Vec<Entry<'_>> = entries.iter().filter(|entry| entry.step.is_some()).copied().collect();
@@ -237,7 +246,7 @@ fn steps(
         let fault = Diagnostic::error(END, "the deck has no step");
         diagnostics.push(fault.help("write `*STEP`, `*STATIC`, loads and requests, `*END STEP`"));
     }
-    (steps, in_force.conditions.frictions)
+    (steps, in_force)
 }
 
 fn heading(entries: &[Entry<'_>], deck: &Deck) -> String {

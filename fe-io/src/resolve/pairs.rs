@@ -3,7 +3,8 @@
 use super::interactions::Interactions;
 use super::lines::fields;
 use super::once;
-use super::scene::{Scene, Surface};
+use super::procedures::only_for;
+use super::scene::{Analysis, Scene, Surface};
 use crate::deck::card::{Token, normalized};
 use crate::deck::number::number;
 use crate::diagnostic::{Diagnostic, Diagnostics};
@@ -22,6 +23,11 @@ pub fn read(
     pairs: &mut Vec<(PairDefinition, Place)>,
     diagnostics: &mut Diagnostics,
 ) {
+    only_for(entry, &["CPSET", "MECHANICAL CONSTRAINT", "OP", "WEIGHT"], Analysis::Explicit, diagnostics);
+    if !entry.has("INTERACTION") {
+        let fault = Diagnostic::error(entry.card.span, "`*CONTACT PAIR` needs `INTERACTION=`");
+        diagnostics.push(fault.label("the *SURFACE INTERACTION"));
+    }
     let interaction = interactions.of_parameter(entry, diagnostics);
     let bond = bond(entry, diagnostics);
     let mut lines = scene.deck.lines(entry.card).peekable();
@@ -100,7 +106,7 @@ pub fn faces_of(token: Token<'_>, scene: &Scene<'_>, diagnostics: &mut Diagnosti
     }
 }
 
-fn secondary(token: Token<'_>, scene: &Scene<'_>, diagnostics: &mut Diagnostics) -> Option<Secondary> {
+pub fn secondary(token: Token<'_>, scene: &Scene<'_>, diagnostics: &mut Diagnostics) -> Option<Secondary> {
     match surface(token, scene, diagnostics)? {
         Surface::Faces => faces_of(token, scene, diagnostics).map(Secondary::Faces),
         Surface::Nodes(nodes) => Some(Secondary::Nodes(nodes.clone())),
@@ -113,7 +119,7 @@ fn secondary(token: Token<'_>, scene: &Scene<'_>, diagnostics: &mut Diagnostics)
     }
 }
 
-fn main(token: Token<'_>, scene: &Scene<'_>, diagnostics: &mut Diagnostics) -> Option<Main> {
+pub fn main(token: Token<'_>, scene: &Scene<'_>, diagnostics: &mut Diagnostics) -> Option<Main> {
     let name = scene.full_name(token.text);
     match surface(token, scene, diagnostics)? {
         Surface::Faces => faces_of(token, scene, diagnostics).map(Main::Faces),
@@ -187,7 +193,13 @@ fn marked(scene: &Scene<'_>, faces: &[Face]) -> Vec<bool> {
     marks
 }
 
-fn common_nodes(at: Token<'_>, secondary: &Secondary, main: &Main, scene: &Scene<'_>, diagnostics: &mut Diagnostics) {
+pub fn common_nodes(
+    at: Token<'_>,
+    secondary: &Secondary,
+    main: &Main,
+    scene: &Scene<'_>,
+    diagnostics: &mut Diagnostics,
+) {
     let Main::Faces(faces) = main else { return };
     let marks = marked(scene, faces);
     let common = secondary.nodes(&scene.structure.mesh).into_iter().find(|&node| marks[node as usize]);

@@ -52,6 +52,15 @@ pub fn explicit(entry: &Entry<'_>, step: &Entry<'_>, deck: &Deck, diagnostics: &
     })
 }
 
+/// Refuses parameters that are for steps of one kind alone.
+pub fn only_for(entry: &Entry<'_>, names: &[&str], kind: Analysis, diagnostics: &mut Diagnostics) {
+    let steps = if kind == Analysis::Static { "static" } else { "explicit" };
+    for (name, parameter) in names.iter().filter_map(|name| Some((name, entry.parameter(name)?))) {
+        let title = format!("`{name}` of `*{}` is for {steps} steps", entry.keyword.name);
+        diagnostics.push(Diagnostic::error(parameter.span, title));
+    }
+}
+
 /// Where the increment comes from; `None` where that is faulty, which is told.
 fn increment(entry: &Entry<'_>, row: &Row<'_>, diagnostics: &mut Diagnostics) -> Option<IncrementChoice> {
     let direct = entry.parameter("DIRECT USER CONTROL");

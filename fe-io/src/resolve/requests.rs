@@ -1,6 +1,6 @@
 //! What a step prints and stores.
 
-use super::scene::Scene;
+use super::scene::{Analysis, Scene};
 use super::which_pair;
 use crate::deck::card::{Token, normalized};
 use crate::diagnostic::{Diagnostic, Diagnostics};
@@ -186,6 +186,7 @@ fn unknown_key(token: Token<'_>, word: &str, entry: &Entry<'_>, known: &[&str]) 
 fn quantity(star: &str, word: &str, pair: Option<usize>) -> Option<Quantity> {
     Some(match (star, word) {
         ("NODE PRINT", "U") => Quantity::Displacement,
+        ("NODE PRINT", "V") => Quantity::Velocity,
         ("NODE PRINT", "RF") => Quantity::Reaction,
         ("EL PRINT", "S") => Quantity::Stress,
         ("EL PRINT", "E") => Quantity::Strain,
@@ -206,6 +207,7 @@ fn tables_of(
 ) -> Vec<Table> {
     let star = entry.keyword.name;
     let known: &[&str] = match star {
+        "NODE PRINT" if scene.analysis == Analysis::Explicit => &["U", "V", "RF"],
         "NODE PRINT" => &["U", "RF"],
         "EL PRINT" => &["S", "E"],
         _ => &["CSTRESS", "CDISP", "CF", "CFN", "CFS"],
@@ -223,7 +225,7 @@ fn tables_of(
     for token in tokens.filter(|token| !token.text.is_empty()) {
         let word = normalized(token.text);
         let word = full_name(&word);
-        let Some(quantity) = quantity(star, word, pair) else {
+        let Some(quantity) = quantity(star, word, pair).filter(|_| known.contains(&word)) else {
             diagnostics.push(unknown_key(token, word, entry, known));
             continue;
         };
@@ -242,7 +244,8 @@ fn tables_of(
         diagnostics.push(note.help("section forces SF and SM stand in the results file"));
     }
     let elements = scene.structure.elements.iter().any(|e| matches!(e.family(), Family::Gap | Family::Tube));
-    if star == "CONTACT PRINT" && pairs.is_empty() && !elements && diagnostics.faults() == 0 {
+    let without = pairs.is_empty() && scene.analysis == Analysis::Static;
+    if star == "CONTACT PRINT" && without && !elements && diagnostics.faults() == 0 {
         let warning = Diagnostic::warning(entry.card.span, "the deck has no contact pair");
         diagnostics.push(warning.label("these tables stay empty"));
     }

@@ -1,6 +1,7 @@
 //! Steps.
 
 use super::amplitudes::Amplitudes;
+use super::explicit_pairs::ExplicitPairs;
 use super::interactions::Interactions;
 use super::requests::Requests;
 use super::scene::{Analysis, Scene};
@@ -25,6 +26,7 @@ pub struct InForce {
     /// Kind and place of the first procedure.
     first: Option<(Analysis, Span)>,
     requests: Requests,
+    pub(super) explicit_pairs: ExplicitPairs,
     pub(super) conditions: conditions::InForce,
 }
 
@@ -35,6 +37,7 @@ impl Default for InForce {
             bulk_viscosity: Explicit::BULK_VISCOSITY,
             first: None,
             requests: Requests::default(),
+            explicit_pairs: ExplicitPairs::default(),
             conditions: conditions::InForce::default(),
         }
     }
@@ -71,6 +74,7 @@ pub fn read(
 ) -> Option<Step> {
     let (first, rest) = entries.split_first()?;
     in_force.requests.begin_step();
+    in_force.explicit_pairs.begin_step();
     in_force.conditions.begin_step(replaces(rest, &["CONTACT INTERFERENCE"], diagnostics));
     if let Some(convert) = first.name("CONVERT SDI") {
         in_force.controls.convert_sdi = convert == "YES";
@@ -97,11 +101,17 @@ pub fn read(
             "CHANGE FRICTION" => {
                 in_force.conditions.change_friction((entry, rest.get(i + 1)), scene, named, diagnostics);
             }
-            "FRICTION" if i == 0 || rest[i - 1].keyword.name != "CHANGE FRICTION" => {
+            "FRICTION"
+                if scene.analysis == Analysis::Static && (i == 0 || rest[i - 1].keyword.name != "CHANGE FRICTION") =>
+            {
                 let fault = Diagnostic::error(entry.card.span, "in a step `*FRICTION` follows `*CHANGE FRICTION`");
                 diagnostics.push(
                     fault.help("say `*CHANGE FRICTION, INTERACTION=…` before it, or write it before the first step"),
                 );
+            }
+            "CONTACT PAIR" => in_force.explicit_pairs.read(entry, scene, named.interactions, diagnostics),
+            "CONTACT CONTROLS" if scene.analysis == Analysis::Explicit => {
+                in_force.explicit_pairs.control(entry, diagnostics);
             }
             "CONTACT CONTROLS" => in_force.conditions.control(entry, scene, named, diagnostics),
             "BOUNDARY" => supports.read(entry, scene, named.amplitudes, diagnostics),
@@ -132,6 +142,7 @@ pub fn read(
             items: distributed_loads,
         },
         conditions: in_force.conditions.conditions(),
+        explicit_pairs: in_force.explicit_pairs.in_force(named.interactions),
         output: in_force.requests.in_force(),
     })
 }
@@ -189,7 +200,7 @@ const IDLE: &[(&str, Analysis, &str)] = &[
 /// Cards for static steps alone, and what there is instead.
 const STATIC: &[(&str, &str)] = &[
     ("MODEL CHANGE", "`*CONTACT PAIR, OP=DELETE` in the step takes a pair away"),
-    ("CHANGE FRICTION", "write the `*FRICTION` of the interaction before the first step"),
+    ("CHANGE FRICTION", "write the `*SURFACE INTERACTION` anew in the step, with its `*FRICTION`"),
     ("CONTACT INTERFERENCE", "overlaps of the first step are taken out by moving nodes, without strain"),
 ];
 
