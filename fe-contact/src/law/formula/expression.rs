@@ -8,22 +8,35 @@ pub(super) struct Dual {
 }
 
 /// A function of one argument: its value and derivative.
-#[derive(Debug)]
-pub(super) struct Function {
-    pub name: &'static str,
-    at: fn(f64) -> [f64; 2],
+pub(super) type Curve = fn(f64) -> [f64; 2];
+
+/// What a formula may call.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Function {
+    /// Of one argument.
+    Curve(Curve),
+    /// The size of one argument.
+    Abs,
+    /// Of two arguments.
+    Join(Operator),
+    /// `a < b, one, other`.
+    If,
 }
 
-/// The functions of one argument.
-pub(super) const FUNCTIONS: &[Function] = &[
-    Function { name: "exp", at: |x| [x.exp(); 2] },
-    Function { name: "log", at: |x| [x.ln(), 1.0 / x] },
-    Function { name: "sqrt", at: |x| [x.sqrt(), 0.5 / x.sqrt()] },
-    Function { name: "sin", at: |x| [x.sin(), x.cos()] },
-    Function { name: "cos", at: |x| [x.cos(), -x.sin()] },
-    Function { name: "tan", at: |x| [x.tan(), 1.0 + x.tan() * x.tan()] },
-    Function { name: "tanh", at: |x| [x.tanh(), 1.0 / (x.cosh() * x.cosh())] },
-    Function { name: "atan", at: |x| [x.atan(), 1.0 / (1.0 + x * x)] },
+/// The functions by name.
+pub(super) const FUNCTIONS: &[(&str, Function)] = &[
+    ("exp", Function::Curve(|x| [x.exp(); 2])),
+    ("log", Function::Curve(|x| [x.ln(), 1.0 / x])),
+    ("sqrt", Function::Curve(|x| [x.sqrt(), 0.5 / x.sqrt()])),
+    ("sin", Function::Curve(|x| [x.sin(), x.cos()])),
+    ("cos", Function::Curve(|x| [x.cos(), -x.sin()])),
+    ("tan", Function::Curve(|x| [x.tan(), 1.0 + x.tan() * x.tan()])),
+    ("tanh", Function::Curve(|x| [x.tanh(), 1.0 / (x.cosh() * x.cosh())])),
+    ("atan", Function::Curve(|x| [x.atan(), 1.0 / (1.0 + x * x)])),
+    ("abs", Function::Abs),
+    ("min", Function::Join(Operator::Min)),
+    ("max", Function::Join(Operator::Max)),
+    ("if", Function::If),
 ];
 
 /// What joins two arguments.
@@ -44,7 +57,7 @@ pub(super) enum Node {
     Number(f64),
     Overclosure,
     Abs(Box<Node>),
-    Apply(&'static Function, Box<Node>),
+    Apply(Curve, Box<Node>),
     Join(Operator, Box<[Node; 2]>),
     /// The third where the first is less than the second, else the fourth.
     If(Box<[Node; 4]>),
@@ -60,9 +73,9 @@ impl Node {
                 let x = inner.at(h);
                 if less(x, Dual { value: 0.0, slope: 0.0 }) { Dual { value: -x.value, slope: -x.slope } } else { x }
             }
-            Node::Apply(function, inner) => {
+            Node::Apply(curve, inner) => {
                 let x = inner.at(h);
-                let [value, derivative] = (function.at)(x.value);
+                let [value, derivative] = curve(x.value);
                 Dual { value, slope: chain(derivative, x.slope) }
             }
             Node::Join(operator, two) => join(*operator, two[0].at(h), two[1].at(h)),

@@ -5,6 +5,7 @@
 
 mod expression;
 mod parse;
+mod parser;
 mod work;
 
 use super::{NormalLaw, NormalResponse};
