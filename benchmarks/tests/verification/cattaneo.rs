@@ -2,9 +2,9 @@
 //! ball on a flat (Cattaneo, 1938; Mindlin, 1949; Johnson, Contact Mechanics, 1985, §7.2).
 //!
 //! They stick within c = a (1 − Q/μP)^½, of the ball ^⅓; the shear is μp₀ [√(1 − r²/a²) − (c/a) √(1 − r²/c²)], the second
-//! root within c alone. The theory is that of half spaces, a/R → 0: at R = 50a the tilt of the flanks alone, up to a/R,
-//! makes shear of that part of p₀ while the bodies are pressed, as much as a tenth of what is asked for. So both bodies are
-//! blocks, the upper one with a parabola below of a radius SCALE times as large, E as many times: P, p₀ and Q remain.
+//! root within c alone. The theory is that of half spaces, a/R → 0: at R = 50a flanks that tilt by up to a/R leave an error
+//! of 0.02 p in the shear on any mesh, 0.06 of its limit. So both bodies are blocks, the upper one with a parabola below of a
+//! radius SCALE times as large, E as many times: P, p₀ and Q remain.
 
 use crate::bodies::block;
 use crate::deck::{Solution, exact_step, forces, material_of, run_sets};
@@ -22,6 +22,8 @@ const SCALE: f64 = 100.0;
 const YOUNG: f64 = 210e3 * SCALE;
 const POISSON: f64 = 0.3;
 const COEFFICIENT: f64 = 0.3;
+/// What a residual of 1e-12 of P at each of some thousand nodes leaves open of Q = 0.25 μP [-].
+const CARRIED: f64 = 1e-9;
 
 /// Round body and flat.
 #[derive(Clone, Copy)]
@@ -266,7 +268,8 @@ fn cylinders(meshes: &[f64]) {
                 found.error / h,
                 solution.report.certificate.iterations
             );
-            assert!((theory.force / CYLINDER.force - 1.0).abs() < 0.1 && found.carried.abs() < 1e-10);
+            assert!((theory.force / CYLINDER.force - 1.0).abs() < 0.1, "{part} {n}: {}", theory.force);
+            assert!(found.carried.abs() < CARRIED, "{part} {n}: {:e}", found.carried);
             assert!(found.sticking < stick + h && found.slipping > stick - h, "{part} {n}");
             assert!(found.error < 1.2 * h, "{part} {n}: {} of {}", found.error, 1.2 * h);
         }
@@ -298,7 +301,8 @@ fn ball(n: f64, part: f64) -> f64 {
         found.error / h,
         solution.report.certificate.iterations
     );
-    assert!((theory.force / BALL.force - 1.0).abs() < 0.1 && found.carried.abs() < 1e-9);
+    assert!((theory.force / BALL.force - 1.0).abs() < 0.1, "{part} {n}: {}", theory.force);
+    assert!(found.carried.abs() < CARRIED, "{part} {n}: {:e}", found.carried);
     assert!(found.sticking < stick + h && found.slipping > stick - h, "{part} {n}");
     assert!(found.error < 1.2 * h, "{part} {n}: {} of {}", found.error, 1.2 * h);
     added
