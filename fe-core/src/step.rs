@@ -1,5 +1,7 @@
 //! The procedure of a step: time incrementation and convergence controls.
 
+use fe_mesh::CellId;
+
 /// How a step goes from its start to its end.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Procedure {
@@ -64,6 +66,41 @@ pub enum IncrementChoice {
     ElementByElement,
     /// The deck, [T].
     Fixed(f64),
+}
+
+/// `*FIXED MASS SCALING` or `*VARIABLE MASS SCALING`: densities of some cells are raised, so that increments may be longer.
+#[derive(Clone, Debug, PartialEq)]
+pub struct MassScaling {
+    /// The cells, ascending.
+    pub cells: Vec<CellId>,
+    /// Factor on their masses [-], > 0; what follows comes on top.
+    pub factor: f64,
+    /// Stable increment of each element [T] that is aimed at, and by which masses.
+    pub target: Option<(f64, ScaledTo)>,
+    /// When masses are scaled.
+    pub when: ScaledAt,
+}
+
+/// Which elements a stable increment that is aimed at scales.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ScaledTo {
+    /// Those with a smaller one, each to it.
+    BelowMinimum,
+    /// All, by the one factor that the element with the least one needs.
+    Uniform,
+    /// All, each to it; masses may fall.
+    EqualIncrement,
+}
+
+/// When masses are scaled.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ScaledAt {
+    /// At the start of the step.
+    Start,
+    /// Every so many increments, and at the start.
+    Increments(usize),
+    /// At the ends of so many equal parts of the step, and at the start.
+    Parts(usize),
 }
 
 /// `*STATIC`'s data line.

@@ -7,7 +7,7 @@ use fe_contact::pair::{ExplicitPair, PairDefinition};
 use fe_contact::tube::TubeDefinition;
 use fe_core::amplitude::Amplitude;
 use fe_core::load::{Load, Support};
-use fe_core::step::Procedure;
+use fe_core::step::{MassScaling, Procedure};
 use fe_core::structure::Structure;
 use fe_mesh::CellId;
 use std::sync::Arc;
@@ -101,6 +101,8 @@ pub struct Step {
     pub conditions: Vec<Conditions>,
     /// The pairs that act in an explicit step, those that earlier steps have left included, by ascending index.
     pub explicit_pairs: Vec<ActivePair>,
+    /// Mass scaling in force, of explicit steps.
+    pub mass_scaling: Vec<MassScaling>,
     /// Requests in force (those of earlier steps included where the step has no card of the same kind).
     pub output: Output,
 }
@@ -117,14 +119,47 @@ pub struct ActivePair {
 }
 
 /// What a step prints and stores.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Output {
     /// Tables of the `.dat` file, in the deck's order.
     pub tables: Vec<Table>,
     /// Field names of the results file; `None`: the usual ones.
     pub fields: Option<Vec<String>>,
-    /// Every how many increments a frame is stored; the last increment of a step always is.
-    pub frequency: usize,
+    /// When a frame is stored; the last increment of a step always is.
+    pub frames: Frames,
+}
+
+/// When something is stored.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Frames {
+    /// Every so many increments; never for 0.
+    Increments(usize),
+    /// At the ends of so many equal parts of a step: with the increment that reaches them.
+    Parts(usize),
+    /// Every so long [T] of step time, likewise.
+    Time(f64),
+}
+
+impl Frames {
+    /// Frames of an explicit step unless the deck says otherwise: Abaqus Analysis User's Manual, Output to the output
+    /// database.
+    pub const EXPLICIT: Frames = Frames::Parts(20);
+
+    /// True when the increment of this number, from 1, is stored that goes from one step time to another in a step of a
+    /// period [T].
+    pub fn hold(&self, increment: usize, [from, to]: [f64; 2], period: f64) -> bool {
+        let crossed = |interval: f64| {
+            // A time that is reached but for rounding is reached.
+            let passed = |time: f64| (time / interval * (1.0 + 8.0 * f64::EPSILON)).floor();
+            passed(to) > passed(from)
+        };
+        to >= period
+            || match *self {
+                Frames::Increments(every) => every > 0 && increment.is_multiple_of(every),
+                Frames::Parts(parts) => crossed(period / parts as f64),
+                Frames::Time(interval) => crossed(interval),
+            }
+    }
 }
 
 /// One table request.
@@ -185,4 +220,24 @@ pub enum ForcePart {
     Normal,
     /// From the shear.
     Shear,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Frames;
+
+    /// Numbers of the increments, of ten in a step of 1, that are stored.
+    fn stored(frames: Frames) -> Vec<usize> {
+        let times = |i: usize| [(i - 1) as f64 * 0.1, if i == 10 { 1.0 } else { i as f64 * 0.1 }];
+        (1..=10).filter(|&i| frames.hold(i, times(i), 1.0)).collect()
+    }
+
+    #[test]
+    fn frames_come_with_the_increment_that_reaches_their_time() {
+        assert_eq!(stored(Frames::Increments(3)), [3, 6, 9, 10]);
+        assert_eq!(stored(Frames::Increments(0)), [10]);
+        assert_eq!(stored(Frames::Parts(4)), [3, 5, 8, 10]);
+        assert_eq!(stored(Frames::Parts(10)), [1, 2, 3, 4, 5, 6, 7, 8, 9, 10]);
+        assert_eq!(stored(Frames::Time(0.45)), [5, 9, 10]);
+    }
 }

@@ -8,9 +8,9 @@ use fe_core::amplitude::Course;
 use fe_core::element::ElementType;
 use fe_core::load::Prescribed;
 use fe_core::material::{Damping, Elastic, Hardening, NeoHooke, Response};
-use fe_core::step::{Displacements, Explicit, IncrementChoice, Procedure};
+use fe_core::step::{Displacements, Explicit, IncrementChoice, MassScaling, Procedure, ScaledAt, ScaledTo};
 use fe_core::structure::{Hourglass, HourglassControl};
-use fe_io::model::{ActivePair, Quantity, RigidBody};
+use fe_io::model::{ActivePair, Frames, Quantity, RigidBody};
 use fe_io::{Deck, Library, Model, resolve};
 
 const CUBE: &str = include_str!("good/explicit_cube.inp");
@@ -172,4 +172,27 @@ fn pairs_hold_until_a_step_changes_them() {
     let [before, after] = [&model.interactions[0], &model.interactions[1]];
     assert!(before.friction.is_none() && after.friction.is_some() && after.no_separation);
     assert_eq!((&before.name, before.explicit_damping.is_some()), (&after.name, true));
+}
+
+/// Masses are scaled as the last card of a kind says; frames come as often as the last `*OUTPUT` says.
+#[test]
+fn mass_scaling_and_frames() {
+    let step = |cards: &str| format!("*STEP\n*DYNAMIC, EXPLICIT\n, 1e-5\n{cards}\n*END STEP\n");
+    let steps = [
+        "*FIXED MASS SCALING, FACTOR=4., ELSET=CUBE\n*VARIABLE MASS SCALING, DT=1e-7, TYPE=BELOW MIN, NUMBER INTERVAL=5",
+        "*FIXED MASS SCALING, DT=1e-6, TYPE=SET EQUAL DT\n*OUTPUT, FIELD, NUMBER INTERVAL=10",
+        "*OUTPUT, FIELD, TIME INTERVAL=2e-6",
+        "*OUTPUT, HISTORY, TIME INTERVAL=1e-7\n*ENERGY OUTPUT\nALLKE\n*RESTART, WRITE\n*FILE OUTPUT, NUMBER INTERVAL=3",
+    ];
+    let model = with(&steps.map(step).concat());
+    let cells = model.structure.mesh.cell_sets["CUBE"].clone();
+    let fixed = MassScaling { cells: cells.clone(), factor: 4.0, target: None, when: ScaledAt::Start };
+    let below = Some((1e-7, ScaledTo::BelowMinimum));
+    let variable = MassScaling { cells: cells.clone(), factor: 1.0, target: below, when: ScaledAt::Parts(5) };
+    let equal = Some((1e-6, ScaledTo::EqualIncrement));
+    let anew = MassScaling { cells, factor: 1.0, target: equal, when: ScaledAt::Start };
+    assert_eq!(model.steps[0].mass_scaling, [fixed, variable.clone()]);
+    assert!((1..4).all(|i| model.steps[i].mass_scaling == [variable.clone(), anew.clone()]));
+    let frames: Vec<Frames> = model.steps.iter().map(|step| step.output.frames).collect();
+    assert_eq!(frames, [Frames::EXPLICIT, Frames::Parts(10), Frames::Time(2e-6), Frames::Time(2e-6)]);
 }

@@ -3,7 +3,7 @@
 use fe_contact::interaction::{Enforcement, NormalBehavior, Penalty};
 use fe_contact::pair::{Adjust, Discretization};
 use fe_core::step::{Controls, Procedure};
-use fe_io::model::{Quantity, Totals};
+use fe_io::model::{Frames, Quantity, Totals};
 use fe_io::{Deck, Library, Model, resolve};
 
 fn model(text: &str) -> Model {
@@ -113,7 +113,7 @@ fn requests_hold_until_a_step_has_such_a_card() {
     assert_eq!(model.steps[2].output.tables[1].totals, Totals::Only);
     assert_eq!(model.steps[0].output.fields, None);
     assert_eq!(model.steps[1].output.fields.as_deref(), Some(&["U".to_owned(), "S".to_owned()][..]));
-    assert_eq!(model.steps[2].output.frequency, 5);
+    assert_eq!(model.steps[2].output.frames, Frames::Increments(5));
     assert!(model.steps[1].supports.replace && !model.steps[2].supports.replace);
     assert_eq!(controls(&model, 1).balance, 1e-6);
     assert_eq!(controls(&model, 2).d_f, 0.1);

@@ -125,7 +125,8 @@ impl Recorder {
         let start = Instant::now();
         let last = now.attempt.step_time >= step.procedure.period();
         let due = |frequency: usize| last || (frequency > 0 && now.attempt.increment.is_multiple_of(frequency));
-        let stored = due(step.output.frequency);
+        let times = [now.attempt.step_time - now.attempt.dt, now.attempt.step_time];
+        let stored = step.output.frames.hold(now.attempt.increment, times, step.procedure.period());
         let tables: Vec<_> = step.output.tables.iter().filter(|table| due(table.frequency)).collect();
         let recover = stored && self.file.fields().iter().any(needs_recovery)
             || tables.iter().any(|t| printed::needs_recovery(t));

@@ -166,3 +166,14 @@ fn what_fails_in_an_instance_is_named_by_it() {
     assert_eq!(run.status, 1);
     assert!(run.error.contains("TWO."), "{}", run.error);
 }
+
+/// Explicit steps are read, but not run yet: the program says so with the step's place.
+#[test]
+fn explicit_steps() {
+    let scratch = Scratch::new("refused_explicit");
+    scratch.write("job.inp", include_str!("../../../fe-io/tests/good/explicit_bounce.inp"));
+    for command in ["run", "check"] {
+        let run = scratch.fe(&[command, "job.inp"]);
+        assert_eq!(objection(&run, &["explicit steps are not there yet", "job.inp:39"], &scratch), None);
+    }
+}

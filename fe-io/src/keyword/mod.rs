@@ -21,6 +21,7 @@ mod heading;
 mod idle;
 mod initial_conditions;
 mod loads;
+mod mass_scaling;
 mod material;
 mod mesh;
 mod model_change;
@@ -88,6 +89,8 @@ pub const CARDS: &[&Keyword] = &[
     &procedure::STATIC,
     &procedure::DYNAMIC,
     &procedure::BULK_VISCOSITY,
+    &mass_scaling::FIXED_MASS_SCALING,
+    &mass_scaling::VARIABLE_MASS_SCALING,
     &controls::CONTROLS,
     &model_change::MODEL_CHANGE,
     &contact_interference::CONTACT_INTERFERENCE,

@@ -41,8 +41,6 @@ pub(super) const CARDS: &[(&[&str], &str)] = &[
             "SOILS",
             "STEADY STATE TRANSPORT",
             "BASE MOTION",
-            "FIXED MASS SCALING",
-            "VARIABLE MASS SCALING",
             "GLOBAL DAMPING",
         ],
         STATIC,

@@ -4,8 +4,7 @@ use super::lines::{line_fields, one_line};
 use crate::deck::Deck;
 use crate::deck::number::number;
 use crate::diagnostic::{Diagnostic, Diagnostics};
-use crate::keyword::check::Entry;
-use crate::keyword::check::too_many_lines;
+use crate::keyword::check::{Entry, too_many_lines};
 use crate::keyword::row::Row;
 use fe_contact::viscous::{Damping, DampingAmount, ExplicitDamping};
 
@@ -17,8 +16,8 @@ pub fn read(entry: &Entry<'_>, deck: &Deck, diagnostics: &mut Diagnostics) -> Op
         diagnostics.push(Diagnostic::error(value.span, "`TANGENT FRACTION` of `*CONTACT DAMPING` must be ≥ 0"));
     }
     only_fraction(entry, diagnostics);
-    let row = one_line(entry, deck, diagnostics)?;
     only_one_line(entry, deck, diagnostics);
+    let row = one_line(entry, deck, diagnostics)?;
     let (coefficient, clearance) = (row.number(0)?, row.number(1)?);
     Some(Damping { coefficient, clearance, constant_part: row.number(2).unwrap_or(0.0), tangent_fraction })
 }

@@ -24,6 +24,7 @@ mod interferences;
 mod labels;
 mod lines;
 mod loads;
+mod mass_scaling;
 mod materials;
 mod mesh_file;
 mod motion;

@@ -1,11 +1,13 @@
 //! What a step prints and stores.
 
+use super::procedures::only_for;
 use super::scene::{Analysis, Scene};
 use super::which_pair;
 use crate::deck::card::{Token, normalized};
+use crate::deck::number::number;
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::keyword::check::Entry;
-use crate::model::{ForcePart, Output, Place, Quantity, Table, Totals};
+use crate::model::{ForcePart, Frames, Output, Place, Quantity, Table, Totals};
 use fe_contact::pair::PairDefinition;
 use fe_core::element::Family;
 use fe_mesh::CellId;
@@ -25,7 +27,7 @@ pub struct Requests {
     fields: BTreeMap<&'static str, Vec<String>>,
     /// True when the fields are not the usual ones.
     chosen: bool,
-    frequency: Option<usize>,
+    frames: Option<Frames>,
     turn: usize,
     /// Kinds of cards seen in this step.
     seen: Vec<&'static str>,
@@ -63,7 +65,7 @@ impl Requests {
                 self.turn += 1;
             }
         } else if kind == "OUTPUT" {
-            self.output(entry, diagnostics);
+            self.output(entry, scene, diagnostics);
         } else {
             self.fields(entry, scene, diagnostics);
         }
@@ -76,7 +78,7 @@ impl Requests {
     }
 
     /// `*OUTPUT`.
-    fn output(&mut self, entry: &Entry<'_>, diagnostics: &mut Diagnostics) {
+    fn output(&mut self, entry: &Entry<'_>, scene: &Scene<'_>, diagnostics: &mut Diagnostics) {
         self.history = entry.has("HISTORY");
         if self.history {
             let note = Diagnostic::note(entry.card.span, "`*OUTPUT, HISTORY` has no effect");
@@ -86,16 +88,40 @@ impl Requests {
         if self.first("OUTPUT") {
             self.fields.clear();
             self.chosen = false;
-            self.frequency = None;
+            self.frames = None;
         }
         self.common(entry, KINDS);
+        self.intervals(entry, scene, diagnostics);
         self.preselected = entry.has("VARIABLE");
+    }
+
+    /// `NUMBER INTERVAL` and `TIME INTERVAL` of explicit steps.
+    fn intervals(&mut self, entry: &Entry<'_>, scene: &Scene<'_>, diagnostics: &mut Diagnostics) {
+        let names = ["FREQUENCY", "NUMBER INTERVAL", "TIME INTERVAL"];
+        if scene.analysis == Analysis::Static {
+            only_for(entry, &names[1..], Analysis::Explicit, diagnostics);
+        }
+        let given: Vec<_> = names.iter().filter_map(|name| Some((name, entry.parameter(name)?))).collect();
+        if let [(one, first), (other, second), ..] = given[..] {
+            let title = format!("`{other}` of `*OUTPUT` cannot be used with `{one}`");
+            diagnostics.push(Diagnostic::error(second.span, title).related(first.span, "the other one"));
+        }
+        let mut positive = |name: &str| {
+            let value = entry.value(name)?;
+            let found = number(&value.text)?;
+            if found <= 0.0 {
+                diagnostics.push(Diagnostic::error(value.span, format!("`{name}` of `*OUTPUT` must be > 0")));
+            }
+            (found > 0.0).then_some(found)
+        };
+        let parts = positive("NUMBER INTERVAL").map(|parts| Frames::Parts(parts as usize));
+        self.frames = positive("TIME INTERVAL").map(Frames::Time).or(parts).or(self.frames);
     }
 
     /// `FREQUENCY` and `VARIABLE`: all fields of some kinds of cards.
     fn common(&mut self, entry: &Entry<'_>, kinds: &[&'static str]) {
         if let Some(every) = entry.whole("FREQUENCY") {
-            self.frequency = Some(if every == 0 { usize::MAX } else { every as usize });
+            self.frames = Some(Frames::Increments(every as usize));
         }
         if entry.has("VARIABLE") {
             for &kind in kinds {
@@ -134,13 +160,14 @@ impl Requests {
     }
 
     /// What the step prints and stores.
-    pub fn in_force(&self) -> Output {
+    pub fn in_force(&self, analysis: Analysis) -> Output {
         let mut tables: Vec<(usize, Table)> = self.tables.values().flatten().cloned().collect();
         tables.sort_by_key(|(turn, _)| *turn);
         let tables = tables.into_iter().map(|(_, table)| table).filter(|table| table.frequency > 0).collect();
         let fields =
             self.chosen.then(|| KINDS.iter().filter_map(|kind| self.fields.get(kind)).flatten().cloned().collect());
-        Output { tables, fields, frequency: self.frequency.unwrap_or(1) }
+        let usual = if analysis == Analysis::Explicit { Frames::EXPLICIT } else { Frames::Increments(1) };
+        Output { tables, fields, frames: self.frames.unwrap_or(usual) }
     }
 }
 

@@ -6,7 +6,7 @@ use super::interactions::Interactions;
 use super::requests::Requests;
 use super::scene::{Analysis, Scene};
 use super::supports::Supports;
-use super::{conditions, controls, loads, procedures};
+use super::{conditions, controls, loads, mass_scaling, procedures};
 use crate::deck::source::Span;
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::keyword::check::Entry;
@@ -27,6 +27,7 @@ pub struct InForce {
     first: Option<(Analysis, Span)>,
     requests: Requests,
     pub(super) explicit_pairs: ExplicitPairs,
+    mass_scaling: mass_scaling::InForce,
     pub(super) conditions: conditions::InForce,
 }
 
@@ -38,6 +39,7 @@ impl Default for InForce {
             first: None,
             requests: Requests::default(),
             explicit_pairs: ExplicitPairs::default(),
+            mass_scaling: mass_scaling::InForce::default(),
             conditions: conditions::InForce::default(),
         }
     }
@@ -75,6 +77,7 @@ pub fn read(
     let (first, rest) = entries.split_first()?;
     in_force.requests.begin_step();
     in_force.explicit_pairs.begin_step();
+    in_force.mass_scaling.begin_step();
     in_force.conditions.begin_step(replaces(rest, &["CONTACT INTERFERENCE"], diagnostics));
     if let Some(convert) = first.name("CONVERT SDI") {
         in_force.controls.convert_sdi = convert == "YES";
@@ -109,6 +112,7 @@ pub fn read(
                     fault.help("say `*CHANGE FRICTION, INTERACTION=…` before it, or write it before the first step"),
                 );
             }
+            "FIXED MASS SCALING" | "VARIABLE MASS SCALING" => in_force.mass_scaling.read(entry, scene, diagnostics),
             "CONTACT PAIR" => in_force.explicit_pairs.read(entry, scene, named.interactions, diagnostics),
             "CONTACT CONTROLS" if scene.analysis == Analysis::Explicit => {
                 in_force.explicit_pairs.control(entry, diagnostics);
@@ -143,7 +147,8 @@ pub fn read(
         },
         conditions: in_force.conditions.conditions(),
         explicit_pairs: in_force.explicit_pairs.in_force(named.interactions),
-        output: in_force.requests.in_force(),
+        mass_scaling: in_force.mass_scaling.in_force(),
+        output: in_force.requests.in_force(scene.analysis),
     })
 }
 
@@ -195,6 +200,8 @@ impl InForce {
 const IDLE: &[(&str, Analysis, &str)] = &[
     ("CONTROLS", Analysis::Explicit, "explicit increments do not iterate"),
     ("BULK VISCOSITY", Analysis::Static, "nothing moves at a speed"),
+    ("FIXED MASS SCALING", Analysis::Static, "masses have no inertia"),
+    ("VARIABLE MASS SCALING", Analysis::Static, "masses have no inertia"),
 ];
 
 /// Cards for static steps alone, and what there is instead.
