@@ -128,3 +128,26 @@ pub struct ExplicitPair {
     /// their answers are averaged. `None`: ½ for faces of two deformable bodies, 0 else.
     pub weight: Option<f64>,
 }
+
+/// A surface of general contact.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Region {
+    /// All faces of solids that no other element shares, and the facets of rigid bodies.
+    AllExterior,
+    /// A surface of faces, by its name in the mesh.
+    Surface(String),
+}
+
+/// General contact of explicit steps: every included pair of surfaces that is not excluded, by penalty. Where several
+/// assignments name the same faces, the last one holds.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct GeneralContact {
+    /// What may touch; a surface beside itself may touch itself.
+    pub inclusions: Vec<[Region; 2]>,
+    /// What of it does not touch.
+    pub exclusions: Vec<[Region; 2]>,
+    /// Indices of interactions; elsewhere contact is hard and slides freely.
+    pub interactions: Vec<([Region; 2], usize)>,
+    /// Factors [-] on the default penalty stiffness; elsewhere 1.
+    pub scale_penalty: Vec<([Region; 2], f64)>,
+}

@@ -3,7 +3,7 @@
 use fe_contact::conditions::Conditions;
 use fe_contact::gap::GapDefinition;
 use fe_contact::interaction::Interaction;
-use fe_contact::pair::{ExplicitPair, PairDefinition};
+use fe_contact::pair::{ExplicitPair, GeneralContact, PairDefinition};
 use fe_contact::tube::TubeDefinition;
 use fe_core::amplitude::Amplitude;
 use fe_core::load::{Load, Support};
@@ -101,6 +101,8 @@ pub struct Step {
     pub conditions: Vec<Conditions>,
     /// The pairs that act in an explicit step, those that earlier steps have left included, by ascending index.
     pub explicit_pairs: Vec<ActivePair>,
+    /// General contact in force, of explicit steps.
+    pub general_contact: Option<GeneralContact>,
     /// Mass scaling in force, of explicit steps.
     pub mass_scaling: Vec<MassScaling>,
     /// Requests in force (those of earlier steps included where the step has no card of the same kind).

@@ -1,7 +1,7 @@
 //! What decks for explicit dynamics say, and what the model holds of it.
 
 use fe_contact::interaction::NormalBehavior;
-use fe_contact::pair::{MechanicalConstraint, Sliding};
+use fe_contact::pair::{GeneralContact, MechanicalConstraint, Region, Sliding};
 use fe_contact::surface::{Main, Secondary};
 use fe_contact::viscous::{DampingAmount, ExplicitDamping};
 use fe_core::amplitude::Course;
@@ -195,4 +195,29 @@ fn mass_scaling_and_frames() {
     assert!((1..4).all(|i| model.steps[i].mass_scaling == [variable.clone(), anew.clone()]));
     let frames: Vec<Frames> = model.steps.iter().map(|step| step.output.frames).collect();
     assert_eq!(frames, [Frames::EXPLICIT, Frames::Parts(10), Frames::Time(2e-6), Frames::Time(2e-6)]);
+}
+
+/// General contact holds from the model data on until a step adds to it or replaces it.
+#[test]
+fn general_contact() {
+    let data = "*SURFACE, NAME=TOP\nCUBE, S2\n*SURFACE, NAME=FOOT\nCUBE, S1\n*SURFACE INTERACTION, NAME=I\n*CONTACT\n\
+                *CONTACT INCLUSIONS, ALL EXTERIOR\n*CONTACT PROPERTY ASSIGNMENT\n, , I\n";
+    let step = |cards: &str| format!("*STEP\n*DYNAMIC, EXPLICIT\n, 1e-5\n{cards}*END STEP\n");
+    let steps = [
+        "",
+        "*CONTACT\n*CONTACT EXCLUSIONS\nTOP, FOOT\n*CONTACT CONTROLS ASSIGNMENT, TYPE=SCALE PENALTY\nTOP,, 2.\n",
+        "*CONTACT, OP=NEW\n*CONTACT INCLUSIONS\n,\n, TOP\n",
+    ];
+    let model = with(&(data.to_owned() + &steps.map(step).concat()));
+    let all = || [Region::AllExterior, Region::AllExterior];
+    let [top, foot] = ["TOP", "FOOT"].map(|name| Region::Surface(name.into()));
+    let first = GeneralContact { inclusions: vec![all()], interactions: vec![(all(), 0)], ..Default::default() };
+    let second = GeneralContact {
+        exclusions: vec![[top.clone(), foot]],
+        scale_penalty: vec![([top.clone(), top.clone()], 2.0)],
+        ..first.clone()
+    };
+    let third = GeneralContact { inclusions: vec![all(), [Region::AllExterior, top]], ..Default::default() };
+    let found: Vec<_> = model.steps.iter().map(|step| step.general_contact.clone()).collect();
+    assert_eq!(found, [first, second, third].map(Some));
 }

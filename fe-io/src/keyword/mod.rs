@@ -17,6 +17,7 @@ mod discrete;
 mod element;
 pub(crate) mod friction;
 mod gap;
+mod general_contact;
 mod heading;
 mod idle;
 mod initial_conditions;
@@ -79,6 +80,11 @@ pub const CARDS: &[&Keyword] = &[
     &friction::FRICTION,
     &contact_damping::CONTACT_DAMPING,
     &contact_pair::CONTACT_PAIR,
+    &general_contact::CONTACT,
+    &general_contact::CONTACT_INCLUSIONS,
+    &general_contact::CONTACT_EXCLUSIONS,
+    &general_contact::CONTACT_PROPERTY_ASSIGNMENT,
+    &general_contact::CONTACT_CONTROLS_ASSIGNMENT,
     &gap::GAP,
     &clearance::CLEARANCE,
     &gap::INTERFACE,

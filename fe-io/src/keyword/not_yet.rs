@@ -104,12 +104,7 @@ pub(super) const CARDS: &[(&[&str], &str)] = &[
     ),
     (
         &[
-            "CONTACT",
-            "CONTACT INCLUSIONS",
-            "CONTACT EXCLUSIONS",
-            "CONTACT PROPERTY ASSIGNMENT",
             "CONTACT FORMULATION",
-            "CONTACT CONTROLS ASSIGNMENT",
             "CONTACT INITIALIZATION DATA",
             "CONTACT INITIALIZATION ASSIGNMENT",
             "SURFACE PROPERTY ASSIGNMENT",

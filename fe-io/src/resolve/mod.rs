@@ -18,6 +18,7 @@ mod explicit_pairs;
 mod faces;
 mod formula;
 mod friction;
+mod general_contact;
 mod hard;
 mod interactions;
 mod interferences;
@@ -239,6 +240,10 @@ fn steps(
 ) -> (Vec<Step>, InForce) {
     let mut in_force = InForce::default();
     let mut steps = Vec::new();
+    let general = |entry: &&Entry<'_>| entry.step.is_none() && general_contact::CARDS.contains(&entry.keyword.name);
+    for entry in entries.iter().filter(general) {
+        in_force.general_contact.read(entry, scene, names.interactions, diagnostics);
+    }
     let of_steps: Vec<Entry<'_>> = entries.iter().filter(|entry| entry.step.is_some()).copied().collect();
     for step in of_steps.chunk_by(|a, b| a.step == b.step) {
         steps.extend(steps::read(step, names, &mut in_force, scene, diagnostics));

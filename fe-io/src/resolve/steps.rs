@@ -6,7 +6,7 @@ use super::interactions::Interactions;
 use super::requests::Requests;
 use super::scene::{Analysis, Scene};
 use super::supports::Supports;
-use super::{conditions, controls, loads, mass_scaling, procedures};
+use super::{conditions, controls, general_contact, loads, mass_scaling, procedures};
 use crate::deck::source::Span;
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::keyword::check::Entry;
@@ -28,6 +28,7 @@ pub struct InForce {
     requests: Requests,
     pub(super) explicit_pairs: ExplicitPairs,
     mass_scaling: mass_scaling::InForce,
+    pub(super) general_contact: general_contact::InForce,
     pub(super) conditions: conditions::InForce,
 }
 
@@ -40,6 +41,7 @@ impl Default for InForce {
             requests: Requests::default(),
             explicit_pairs: ExplicitPairs::default(),
             mass_scaling: mass_scaling::InForce::default(),
+            general_contact: general_contact::InForce::default(),
             conditions: conditions::InForce::default(),
         }
     }
@@ -78,6 +80,7 @@ pub fn read(
     in_force.requests.begin_step();
     in_force.explicit_pairs.begin_step();
     in_force.mass_scaling.begin_step();
+    in_force.general_contact.begin_step();
     in_force.conditions.begin_step(replaces(rest, &["CONTACT INTERFERENCE"], diagnostics));
     if let Some(convert) = first.name("CONVERT SDI") {
         in_force.controls.convert_sdi = convert == "YES";
@@ -113,6 +116,9 @@ pub fn read(
                 );
             }
             "FIXED MASS SCALING" | "VARIABLE MASS SCALING" => in_force.mass_scaling.read(entry, scene, diagnostics),
+            name if general_contact::CARDS.contains(&name) => {
+                in_force.general_contact.read(entry, scene, named.interactions, diagnostics);
+            }
             "CONTACT PAIR" => in_force.explicit_pairs.read(entry, scene, named.interactions, diagnostics),
             "CONTACT CONTROLS" if scene.analysis == Analysis::Explicit => {
                 in_force.explicit_pairs.control(entry, diagnostics);
@@ -147,6 +153,7 @@ pub fn read(
         },
         conditions: in_force.conditions.conditions(),
         explicit_pairs: in_force.explicit_pairs.in_force(named.interactions),
+        general_contact: in_force.general_contact.in_force(named.interactions, first.step?),
         mass_scaling: in_force.mass_scaling.in_force(),
         output: in_force.requests.in_force(scene.analysis),
     })
