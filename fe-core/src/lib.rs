@@ -8,9 +8,11 @@
 pub mod amplitude;
 pub mod bodies;
 pub mod element;
+pub mod explicit;
 pub mod external;
 pub mod freedoms;
 pub mod increment;
+mod lanes;
 pub mod linear;
 pub mod load;
 pub mod material;

@@ -7,7 +7,6 @@
 
 mod check;
 mod kernel;
-mod lanes;
 mod recovery;
 mod tables;
 mod term;
@@ -20,11 +19,11 @@ pub use recovery::PointFields;
 
 use crate::element::{ElementType, Family, Space};
 use crate::freedoms::Freedoms;
+use crate::lanes::{LANES, Lanes};
 use crate::material::Elastic;
 use crate::matrix::{Pattern, Scatter};
 use crate::structure::{Section, Structure};
 use fe_mesh::{CellId, Mesh};
-use lanes::{LANES, Lanes};
 use std::sync::{Arc, Mutex};
 
 /// The elements of one section: one type, one material.

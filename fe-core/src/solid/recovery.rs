@@ -1,9 +1,9 @@
 //! Stresses and strains at the integration points, and at the nodes.
 
 use super::kernel::Kernel;
-use super::lanes::LANES;
 use super::{SolidBlock, tables, with_kernel};
 use crate::element::Space;
+use crate::lanes::LANES;
 use fe_mesh::{CellKind, shape};
 use rayon::prelude::*;
 

@@ -4,8 +4,8 @@
 //! is being computed: the same bits for any number of threads.
 
 use super::kernel::{Batches, Kernel};
-use super::lanes::LANES;
 use super::{SolidBlock, with_kernel};
+use crate::lanes::LANES;
 use crate::matrix::{Couplings, Pattern, Scatter};
 use crate::reject::Reject;
 use crate::term::{Assembly, Motion, Term};

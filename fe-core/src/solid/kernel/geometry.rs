@@ -1,8 +1,8 @@
 //! Gradients, volumes and enhanced modes at the integration points.
 
-use super::super::lanes::Lanes;
 use super::super::tables::PRODUCTS;
 use super::{Element, Work};
+use crate::lanes::Lanes;
 
 impl<const N: usize, const R: usize, const M: usize, const D: usize, const G: usize, const P: usize, const A: usize>
     Element<N, R, M, D, G, P, A>

@@ -4,10 +4,10 @@
 //! with h_k = ξη, … and γ_k = (h_k − Σ_i (h_k·x_i) b_i)/N (Flanagan and Belytschko, Int. J. Numer. Meth. Eng. 17
 //! (1981) 679), b the gradients at the centroid, b̄ their means. It holds on any shape.
 
-use super::super::lanes::Lanes;
 use super::super::tables::PRODUCTS;
 use super::geometry::transformed;
 use super::{Element, Work};
+use crate::lanes::Lanes;
 
 impl<const N: usize, const R: usize, const M: usize, const D: usize, const G: usize, const P: usize, const A: usize>
     Element<N, R, M, D, G, P, A>

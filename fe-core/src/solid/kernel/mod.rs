@@ -25,9 +25,9 @@ mod geometry;
 mod hourglass;
 mod strain;
 
-use super::lanes::{LANES, Lanes};
 use super::tables::{PRODUCTS, Tables};
 use crate::element::{ElementType, Space};
+use crate::lanes::{LANES, Lanes};
 use crate::material::Elastic;
 use pulp::{Arch, Simd, WithSimd};
 

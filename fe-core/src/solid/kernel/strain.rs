@@ -1,7 +1,7 @@
 //! Strains at the integration points.
 
-use super::super::lanes::Lanes;
 use super::{Element, Work};
+use crate::lanes::Lanes;
 
 impl<const N: usize, const R: usize, const M: usize, const D: usize, const G: usize, const P: usize, const A: usize>
     Element<N, R, M, D, G, P, A>

@@ -2,8 +2,8 @@
 
 use super::scene::Scene;
 use crate::element::ElementType::*;
+use crate::lanes::LANES;
 use crate::solid::kernel::{Batches, Kernel};
-use crate::solid::lanes::LANES;
 use crate::solid::with_kernel;
 use crate::term::{Assembly, Motion, Term};
 

@@ -3,12 +3,12 @@
 use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub};
 
 /// Elements of a batch.
-pub(super) const LANES: usize = 8;
+pub(crate) const LANES: usize = 8;
 
 /// One number of each of eight elements.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(align(64))]
-pub(super) struct Lanes(pub [f64; LANES]);
+pub(crate) struct Lanes(pub [f64; LANES]);
 
 impl Lanes {
     pub const ZERO: Lanes = Lanes([0.0; LANES]);
@@ -32,6 +32,28 @@ impl Lanes {
         let mut out = self;
         for i in 0..LANES {
             out.0[i] = f(self.0[i], other.0[i]);
+        }
+        out
+    }
+
+    #[inline(always)]
+    pub fn sqrt(self) -> Self {
+        self.map(f64::sqrt)
+    }
+
+    #[inline(always)]
+    pub fn max(self, other: Self) -> Self {
+        self.zip(other, |a, b| if a > b { a } else { b })
+    }
+
+    /// `self` where `sign` > 0, else `other`.
+    #[inline(always)]
+    pub fn where_positive(self, sign: Self, other: Self) -> Self {
+        let mut out = other;
+        for i in 0..LANES {
+            if sign.0[i] > 0.0 {
+                out.0[i] = self.0[i];
+            }
         }
         out
     }

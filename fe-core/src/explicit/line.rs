@@ -1,0 +1,229 @@
+//! Two-node elements that act along their line or along fixed freedoms: trusses, springs, dashpots; and point masses.
+
+use super::{Advance, ExplicitTerm, Halt, Moving};
+use crate::element::{ElementType, Family};
+use crate::freedoms::Freedoms;
+use crate::structure::Structure;
+use fe_mesh::CellId;
+
+/// How an element answers its length.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Answer {
+    /// E A₀ [F] of a truss: N = E A₀ ln λ/λ, as the volume stays (Abaqus Theory Manual, Truss elements).
+    Truss(f64),
+    /// k [F/L].
+    Spring(f64),
+    /// c [F T/L].
+    Dashpot(f64),
+}
+
+/// Where an element acts.
+#[derive(Clone, Debug, PartialEq)]
+enum Reach {
+    /// Between two nodes, along their line: first freedoms, how many each has, and the line at the start [L].
+    Line { ends: [usize; 2], directions: usize, line: [f64; 3] },
+    /// On the difference of freedoms; the second may be missing.
+    Fixed { first: usize, second: Option<usize> },
+}
+
+#[derive(Clone, Debug, PartialEq)]
+struct Element {
+    cell: CellId,
+    answer: Answer,
+    reach: Reach,
+    /// Length at the start [L]; 1 where it acts on fixed freedoms.
+    length: f64,
+    /// Half of its mass [M].
+    mass: f64,
+    /// Length or elongation [L] at the end of the last increment.
+    now: f64,
+}
+
+/// All trusses, springs, dashpots and masses of a scene.
+#[derive(Clone, Debug)]
+pub struct Lines {
+    elements: Vec<Element>,
+    /// Point masses on freedoms.
+    masses: Vec<(usize, f64)>,
+    /// Linear bulk viscosity [-] of trusses.
+    viscosity: f64,
+    /// Largest sums of stiffness and of viscosity over mass of a node [1/T², 1/T].
+    rates: [f64; 2],
+    stored: f64,
+}
+
+impl Lines {
+    /// Those of a structure; `viscosity` is the linear bulk viscosity [-]. Beams are none of them.
+    pub fn new(structure: &Structure, freedoms: &Freedoms, viscosity: f64) -> Self {
+        let mesh = &structure.mesh;
+        let dimension = structure.dimension();
+        let (mut elements, mut masses) = (Vec::new(), Vec::new());
+        let line = |cell: CellId| {
+            let nodes = mesh.cell(cell);
+            let [a, b] = [0, 1].map(|i| mesh.points[nodes[i] as usize]);
+            let ends = [0, 1].map(|i| freedoms.of_node(nodes[i] as usize).start);
+            let line: [f64; 3] = std::array::from_fn(|c| b[c] - a[c]);
+            (Reach::Line { ends, directions: dimension, line }, norm(line))
+        };
+        for section in structure.lines.iter().filter(|s| s.element.family() == Family::Truss) {
+            let (area, density) = (section.profile.area, section.density.unwrap_or(0.0));
+            for &cell in &section.cells {
+                let (reach, length) = line(cell);
+                let (answer, mass) = (Answer::Truss(section.young * area), 0.5 * density * area * length);
+                elements.push(Element { cell, answer, reach, length, mass, now: length });
+            }
+        }
+        for section in &structure.discrete {
+            use ElementType::*;
+            for &cell in &section.cells {
+                let nodes = mesh.cell(cell);
+                let freedom = |i: usize| freedoms.index(nodes[i] as usize, section.components[i].into());
+                let (reach, length) = match section.element {
+                    MASS => {
+                        let places = freedoms.of_node(nodes[0] as usize).take(dimension);
+                        masses.extend(places.map(|f| (f, section.magnitude)));
+                        continue;
+                    }
+                    SPRING1 | DASHPOT1 => (freedom(0).map(|first| Reach::Fixed { first, second: None }), 1.0),
+                    SPRING2 | DASHPOT2 => (freedom(0).map(|first| Reach::Fixed { first, second: freedom(1) }), 1.0),
+                    _ => {
+                        let (reach, length) = line(cell);
+                        (Some(reach), length)
+                    }
+                };
+                let Some(reach) = reach else { continue };
+                let answer = match section.element.family() {
+                    Family::Spring => Answer::Spring(section.magnitude),
+                    _ => Answer::Dashpot(section.magnitude),
+                };
+                let now = if matches!(reach, Reach::Line { .. }) { length } else { 0.0 };
+                elements.push(Element { cell, answer, reach, length, mass: 0.0, now });
+            }
+        }
+        Lines { elements, masses, viscosity, rates: [0.0; 2], stored: 0.0 }
+    }
+
+    /// True where there are none.
+    pub fn is_empty(&self) -> bool {
+        self.elements.is_empty() && self.masses.is_empty()
+    }
+}
+
+impl Element {
+    /// Freedoms it acts on.
+    fn freedoms(&self) -> impl Iterator<Item = usize> + '_ {
+        let (ranges, second) = match &self.reach {
+            Reach::Line { ends, directions, .. } => (ends.map(|end| end..end + directions), None),
+            Reach::Fixed { first, second } => ([*first..first + 1, 0..0], *second),
+        };
+        ranges.into_iter().flatten().chain(second)
+    }
+
+    /// Length or elongation [L] at a displacement.
+    fn length(&self, u: &[f64]) -> ([f64; 3], f64) {
+        match &self.reach {
+            Reach::Line { ends: [a, b], directions, line } => {
+                let mut now = *line;
+                (0..*directions).for_each(|c| now[c] += u[b + c] - u[a + c]);
+                (now, norm(now))
+            }
+            Reach::Fixed { first, second } => ([0.0; 3], u[*first] - second.map_or(0.0, |second| u[second])),
+        }
+    }
+}
+
+impl ExplicitTerm for Lines {
+    fn name(&self) -> &str {
+        "trusses, springs and masses"
+    }
+
+    fn add_mass(&self, mass: &mut [f64]) {
+        for element in self.elements.iter().filter(|element| element.mass > 0.0) {
+            element.freedoms().for_each(|f| mass[f] += element.mass);
+        }
+        self.masses.iter().for_each(|&(f, m)| mass[f] += m);
+    }
+
+    fn weigh(&mut self, mass: &[f64]) {
+        let mut sums = [vec![0.0; mass.len()], vec![0.0; mass.len()]];
+        for element in &self.elements {
+            // A row of k [1 −1; −1 1] has the sum 2k, one to ground k.
+            let rows = if matches!(element.reach, Reach::Fixed { second: None, .. }) { 1.0 } else { 2.0 };
+            let (which, value) = match element.answer {
+                Answer::Truss(_) => continue,
+                Answer::Spring(k) => (0, k),
+                Answer::Dashpot(c) => (1, c),
+            };
+            element.freedoms().for_each(|f| sums[which][f] += rows * value.abs());
+        }
+        let largest = |sums: &[f64]| {
+            let rates = sums.iter().zip(mass).filter(|(s, m)| **s > 0.0 && **m > 0.0).map(|(s, m)| s / m);
+            rates.fold(0.0, f64::max)
+        };
+        self.rates = sums.each_ref().map(|sums| largest(sums));
+    }
+
+    fn advance(&mut self, at: &Moving, forces: &mut [f64]) -> Result<Advance, Halt> {
+        let mut advance = Advance { rate: self.rates[0], damping: self.rates[1], ..Advance::default() };
+        for element in &mut self.elements {
+            let (line, now) = element.length(at.u);
+            let before = element.now;
+            if element.answer_is_lost(now) {
+                return Err(Halt::Inverted { cell: element.cell });
+            }
+            let rate = if at.dt > 0.0 { (now - before) / at.dt } else { 0.0 };
+            let l0 = element.length;
+            let (force, stored) = match element.answer {
+                Answer::Truss(ea) => {
+                    let of = |l: f64| (l / l0).ln();
+                    let stable = now * (2.0 * element.mass / (ea * l0)).sqrt();
+                    let xi = self.viscosity;
+                    let stable = stable * ((1.0 + xi * xi).sqrt() - xi);
+                    if stable < advance.stable {
+                        (advance.stable, advance.element) = (stable, Some(element.cell));
+                    }
+                    // Bulk viscosity b ρ c A l̇.
+                    let viscous = xi * (2.0 * element.mass * ea / l0).sqrt() * rate;
+                    let energy = 0.5 * ea * l0 * (of(now).powi(2) - of(before).powi(2));
+                    (ea * l0 / now * of(now) + viscous, energy + viscous * (now - before))
+                }
+                Answer::Spring(k) => {
+                    let rest = if matches!(element.reach, Reach::Line { .. }) { l0 } else { 0.0 };
+                    (k * (now - rest), 0.5 * k * (now - before) * (now + before - 2.0 * rest))
+                }
+                Answer::Dashpot(c) => (c * rate, c * rate * (now - before)),
+            };
+            self.stored += stored;
+            element.now = now;
+            match &element.reach {
+                Reach::Line { ends: [a, b], directions, .. } => {
+                    for c in 0..*directions {
+                        let part = force * line[c] / now;
+                        forces[a + c] += part;
+                        forces[b + c] -= part;
+                    }
+                }
+                Reach::Fixed { first, second } => {
+                    forces[*first] -= force;
+                    second.iter().for_each(|&second| forces[second] += force);
+                }
+            }
+        }
+        Ok(advance)
+    }
+
+    fn stored(&self) -> f64 {
+        self.stored
+    }
+}
+
+impl Element {
+    /// True where its ends meet, and it has no direction.
+    fn answer_is_lost(&self, now: f64) -> bool {
+        matches!(self.reach, Reach::Line { .. }) && (now <= 0.0 || now.is_nan())
+    }
+}
+
+fn norm(v: [f64; 3]) -> f64 {
+    v.iter().map(|x| x * x).sum::<f64>().sqrt()
+}

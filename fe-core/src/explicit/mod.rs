@@ -1,0 +1,96 @@
+//! Explicit dynamics: central differences with lumped masses.
+
+pub mod central_difference;
+pub mod line;
+pub mod loads;
+pub mod solid;
+
+use fe_mesh::CellId;
+
+/// A motion at the end of an increment; vectors over all freedoms (see [`crate::Freedoms`]).
+#[derive(Clone, Copy)]
+pub struct Moving<'a> {
+    /// Displacement since the start [L or rad].
+    pub u: &'a [f64],
+    /// Mean velocity in the increment [L/T or 1/T].
+    pub v: &'a [f64],
+    /// Time since the start of the step [T].
+    pub step_time: f64,
+    /// Time since the start of the job [T].
+    pub total_time: f64,
+    /// Length of the increment [T]; 0 before the first one.
+    pub dt: f64,
+    /// Largest increment [T] that the terms before allow: contact comes after the elements.
+    pub stable: f64,
+}
+
+/// What a term has to say of the increments to come.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Advance {
+    /// Largest increment [T] in which none of its parts gains energy of its own.
+    pub stable: f64,
+    /// The element that says so.
+    pub element: Option<CellId>,
+    /// What its parts without a mass of their own add to ω² [1/T²]: the largest sum of a row of stiffness over the mass.
+    pub rate: f64,
+    /// The same of viscosity, added to 2ξω [1/T].
+    pub damping: f64,
+}
+
+impl Default for Advance {
+    fn default() -> Self {
+        Advance { stable: f64::INFINITY, element: None, rate: 0.0, damping: 0.0 }
+    }
+}
+
+impl Advance {
+    /// With what another term says: increments are stable up to 2/ω (√(1 + ξ²) − ξ), ω² at most the sum of what elements with
+    /// mass and what others have (Rayleigh's quotient of a sum is at most the sum of the quotients).
+    pub fn and(self, other: Advance) -> Advance {
+        let first = if other.stable < self.stable { other } else { self };
+        Advance { rate: self.rate + other.rate, damping: self.damping + other.damping, ..first }
+    }
+
+    /// Largest stable increment [T].
+    pub fn increment(&self) -> f64 {
+        let omega = (4.0 / (self.stable * self.stable) + self.rate).sqrt();
+        // Without stiffness a dashpot alone: Δt ≤ 2/(c/m).
+        let xi = 0.5 * self.damping / omega;
+        if omega > 0.0 { 2.0 / omega * ((1.0 + xi * xi).sqrt() - xi) } else { 2.0 / self.damping }
+    }
+}
+
+/// Why an explicit step cannot go on.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum Halt {
+    /// An element has no volume left.
+    #[error("an element has turned inside out")]
+    Inverted {
+        /// The element.
+        cell: CellId,
+    },
+    /// A freedom has neither mass nor support.
+    #[error("a freedom has neither mass nor support")]
+    Massless {
+        /// The freedom.
+        freedom: usize,
+    },
+}
+
+/// Whatever acts on the nodes in an explicit step: solids, members, loads, contact.
+pub trait ExplicitTerm: Send {
+    /// What messages call it.
+    fn name(&self) -> &str;
+
+    /// Adds its lumped masses [M] and moments of inertia [M L²] to the freedoms.
+    fn add_mass(&self, _mass: &mut [f64]) {}
+
+    /// Is told the masses of all freedoms, its own included.
+    fn weigh(&mut self, _mass: &[f64]) {}
+
+    /// Moves its state on to the end of an increment, and adds the forces [F] that act on the freedoms there.
+    fn advance(&mut self, at: &Moving, forces: &mut [f64]) -> Result<Advance, Halt>;
+
+    /// Energy [F L] that its forces have taken from the motion so far, stored or dissipated, by its own reckoning.
+    fn stored(&self) -> f64;
+}
