@@ -12,6 +12,7 @@ pub mod contact;
 pub mod element;
 mod enforce;
 pub mod error;
+pub mod explicit;
 pub mod facet;
 pub mod first_contact;
 pub mod friction;

@@ -1,0 +1,231 @@
+//! The nodes of surfaces, and what moves them: their own freedoms, or a rigid body.
+
+use crate::facet::Vec3;
+use fe_core::explicit::Moving;
+use fe_core::{Freedoms, Structure};
+use nalgebra::Rotation3;
+
+/// A rigid body as its followers see it: a reference node with three translations and three rotations (in the plane two and
+/// one). Its rotation freedoms hold the rotation vector.
+#[derive(Clone, Debug, PartialEq)]
+pub struct RigidFollower {
+    /// Reference node.
+    pub reference: u32,
+    /// The nodes that follow it, ascending.
+    pub nodes: Vec<u32>,
+}
+
+/// A rigid body in motion.
+#[derive(Clone, Debug)]
+pub(super) struct Body {
+    reference: u32,
+    /// The reference node at the start [L].
+    start: Vec3,
+    freedoms: [Option<usize>; 6],
+    /// The reference node now [L], its velocity, the rotation and the angular velocity.
+    pub place: Vec3,
+    velocity: Vec3,
+    pub rotation: Rotation3<f64>,
+    spin: Vec3,
+    /// Force [F] and moment about the reference node [F L] of the increment.
+    force: Vec3,
+    moment: Vec3,
+}
+
+impl Body {
+    pub fn new(structure: &Structure, freedoms: &Freedoms, reference: u32) -> Self {
+        let node = reference as usize;
+        let start = Vec3::from(structure.mesh.points[node]);
+        Body {
+            reference,
+            start,
+            freedoms: std::array::from_fn(|c| freedoms.index(node, c)),
+            place: start,
+            velocity: Vec3::zeros(),
+            rotation: Rotation3::identity(),
+            spin: Vec3::zeros(),
+            force: Vec3::zeros(),
+            moment: Vec3::zeros(),
+        }
+    }
+
+    fn update(&mut self, at: &Moving) {
+        let of = |v: &[f64], first: usize| Vec3::from_fn(|c, _| self.freedoms[first + c].map_or(0.0, |f| v[f]));
+        let (shift, turn) = (of(at.u, 0), of(at.u, 3));
+        (self.velocity, self.spin) = (of(at.v, 0), of(at.v, 3));
+        (self.place, self.rotation) = (self.start + shift, Rotation3::new(turn));
+        (self.force, self.moment) = (Vec3::zeros(), Vec3::zeros());
+    }
+
+    /// Where a point of it is now that was at `x` at the start, in the coordinates of the start.
+    pub fn seen(&self, x: &Vec3) -> Vec3 {
+        self.start + self.rotation.inverse() * (x - self.place)
+    }
+
+    /// Velocity of a point of it.
+    pub fn velocity_at(&self, x: &Vec3) -> Vec3 {
+        self.velocity + self.spin.cross(&(x - self.place))
+    }
+
+    /// Adds a force at a point.
+    pub fn push(&mut self, force: &Vec3, at: &Vec3) {
+        self.force += force;
+        self.moment += (at - self.place).cross(force);
+    }
+
+    fn scatter(&self, forces: &mut [f64]) {
+        for c in 0..3 {
+            for (freedom, value) in [(self.freedoms[c], self.force[c]), (self.freedoms[c + 3], self.moment[c])] {
+                if let Some(freedom) = freedom {
+                    forces[freedom] += value;
+                }
+            }
+        }
+    }
+
+    /// Mass that stands behind a push; 0 where the body is held, or has none: as far as contact is concerned, it is there
+    /// without end.
+    fn mass(&self, mass: &[f64]) -> f64 {
+        self.freedoms[0].map_or(0.0, |f| mass[f])
+    }
+}
+
+#[derive(Clone, Copy, Debug)]
+enum Carrier {
+    /// The first of its own translations, and how many there are.
+    Free(usize, usize),
+    /// A rigid body.
+    Rigid(usize),
+}
+
+/// The nodes of both sides of a pair.
+#[derive(Clone, Debug)]
+pub(super) struct Carriers {
+    /// Nodes, ascending.
+    pub nodes: Vec<u32>,
+    start: Vec<Vec3>,
+    carriers: Vec<Carrier>,
+    pub bodies: Vec<Body>,
+    /// Where they are [L].
+    pub x: Vec<Vec3>,
+    /// Velocities [L/T] in the middle of the increment.
+    pub v: Vec<Vec3>,
+    /// Forces [F] of the increment.
+    pub force: Vec<Vec3>,
+    /// Masses [M]; 0 of rigid bodies without one.
+    pub mass: Vec<f64>,
+    /// Row sums of stiffness [F/L] and of viscosity [F T/L] of the increment.
+    sums: Vec<[f64; 2]>,
+}
+
+impl Carriers {
+    pub fn new(
+        structure: &Structure,
+        freedoms: &Freedoms,
+        mut nodes: Vec<u32>,
+        rigid: &[RigidFollower],
+        references: &[u32],
+    ) -> Self {
+        nodes.sort_unstable();
+        nodes.dedup();
+        let mut bodies: Vec<Body> = references.iter().map(|&r| Body::new(structure, freedoms, r)).collect();
+        let mut carriers = Vec::with_capacity(nodes.len());
+        for &node in &nodes {
+            let body = rigid.iter().find(|body| body.nodes.binary_search(&node).is_ok());
+            carriers.push(match body {
+                Some(body) => {
+                    Carrier::Rigid(bodies.iter().position(|b| b.reference == body.reference).unwrap_or_else(|| {
+                        bodies.push(Body::new(structure, freedoms, body.reference));
+                        bodies.len() - 1
+                    }))
+                }
+                None => {
+                    let place = freedoms.of_node(node as usize);
+                    Carrier::Free(place.start, place.len().min(structure.dimension()))
+                }
+            });
+        }
+        let start: Vec<Vec3> = nodes.iter().map(|&n| Vec3::from(structure.mesh.points[n as usize])).collect();
+        let count = nodes.len();
+        let zero = || vec![Vec3::zeros(); count];
+        Carriers {
+            x: start.clone(),
+            start,
+            nodes,
+            carriers,
+            bodies,
+            v: zero(),
+            force: zero(),
+            mass: vec![0.0; count],
+            sums: vec![[0.0; 2]; count],
+        }
+    }
+
+    /// Where a node stands in the lists.
+    pub fn index(&self, node: u32) -> usize {
+        self.nodes.binary_search(&node).expect("a node of the surfaces")
+    }
+
+    pub fn weigh(&mut self, mass: &[f64]) {
+        for (own, carrier) in self.mass.iter_mut().zip(&self.carriers) {
+            *own = match *carrier {
+                Carrier::Free(first, _) => mass[first],
+                Carrier::Rigid(body) => self.bodies[body].mass(mass),
+            };
+        }
+    }
+
+    pub fn update(&mut self, at: &Moving) {
+        self.bodies.iter_mut().for_each(|body| body.update(at));
+        for i in 0..self.nodes.len() {
+            match self.carriers[i] {
+                Carrier::Free(first, directions) => {
+                    for c in 0..directions {
+                        self.x[i][c] = self.start[i][c] + at.u[first + c];
+                        self.v[i][c] = at.v[first + c];
+                    }
+                }
+                Carrier::Rigid(body) => {
+                    let body = &self.bodies[body];
+                    self.x[i] = body.place + body.rotation * (self.start[i] - body.start);
+                    self.v[i] = body.velocity_at(&self.x[i]);
+                }
+            }
+        }
+        self.force.fill(Vec3::zeros());
+        self.sums.fill([0.0; 2]);
+    }
+
+    /// A stiffness and a viscosity between a node and the shares of others: adds |d_i| Σ |d_j| times them to the rows.
+    pub fn stiffen(&mut self, node: u32, shares: &[(u32, f64)], values: [f64; 2]) {
+        let moves = |i: u32| self.mass[i as usize] > 0.0;
+        let own = if moves(node) { 1.0 } else { 0.0 };
+        let all = own + shares.iter().filter(|s| moves(s.0)).map(|s| s.1).sum::<f64>();
+        for (i, share) in shares.iter().copied().chain([(node, 1.0)]) {
+            (0..2).for_each(|k| self.sums[i as usize][k] += share * all * values[k]);
+        }
+    }
+
+    /// Largest row sums over mass [1/T², 1/T].
+    pub fn rates(&self) -> [f64; 2] {
+        let mut rates = [0.0f64; 2];
+        for (sums, mass) in self.sums.iter().zip(&self.mass).filter(|(_, mass)| **mass > 0.0) {
+            (0..2).for_each(|k| rates[k] = rates[k].max(sums[k] / mass));
+        }
+        rates
+    }
+
+    pub fn scatter(&mut self, forces: &mut [f64]) {
+        for i in 0..self.nodes.len() {
+            let force = self.force[i];
+            match self.carriers[i] {
+                Carrier::Free(first, directions) => (0..directions).for_each(|c| forces[first + c] += force[c]),
+                Carrier::Rigid(body) => {
+                    let x = self.x[i];
+                    self.bodies[body].push(&force, &x);
+                }
+            }
+        }
+        self.bodies.iter().for_each(|body| body.scatter(forces));
+    }
+}
