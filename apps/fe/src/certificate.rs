@@ -1,5 +1,6 @@
 //! The certificate: what stands beside every converged increment, and beside the whole run.
 
+use crate::explicit::Balance;
 use crate::number::scientific;
 use crate::terms::Terms;
 use fe_contact::state::ContactState;
@@ -158,6 +159,8 @@ pub struct RunCertificate {
     pub seconds: Phases,
     /// Peak memory of the process [bytes], where the system tells.
     pub peak_memory: Option<u64>,
+    /// Energies at the end of an explicit job, which has no equilibria to certify.
+    pub explicit: Option<Balance>,
 }
 
 impl RunCertificate {
@@ -192,6 +195,33 @@ pub struct Phases {
 
 impl fmt::Display for RunCertificate {
     fn fmt(&self, out: &mut fmt::Formatter) -> fmt::Result {
+        match &self.explicit {
+            Some(balance) => self.explicit(balance, out)?,
+            None => self.equilibria(out)?,
+        }
+        if let Some(bytes) = self.peak_memory {
+            write!(out, "\n  peak memory         {:.0} MB", bytes as f64 / 1e6)?;
+        }
+        Ok(())
+    }
+}
+
+impl RunCertificate {
+    fn explicit(&self, b: &Balance, out: &mut fmt::Formatter) -> fmt::Result {
+        let e = |value: f64| scientific(value, 6);
+        writeln!(out, "Certificate (energies at the end of {} increments)", self.increments)?;
+        writeln!(out, "  kinetic             {}, at the start {}", e(b.kinetic), e(b.initial))?;
+        writeln!(out, "  strain              {}", e(b.strain))?;
+        writeln!(out, "  plastic             {}", e(b.plastic))?;
+        writeln!(out, "  hourglass           {}", e(b.artificial))?;
+        writeln!(out, "  bulk viscosity      {}", e(b.viscous))?;
+        writeln!(out, "  work of loads       {}", e(b.work))?;
+        writeln!(out, "  balance             {} of the largest energy", scientific(b.drift(), 2))?;
+        let s = self.seconds;
+        write!(out, "  seconds             read {:.2}, write {:.2}; in all {:.2}", s.read, s.write, s.total)
+    }
+
+    fn equilibria(&self, out: &mut fmt::Formatter) -> fmt::Result {
         let w = &self.worst;
         let e = |value: f64, digits: usize| scientific(value, digits);
         let three = |v: [f64; 3]| v.map(|x| format!("{:>14}", e(x, 6))).join(" ");
@@ -230,10 +260,6 @@ impl fmt::Display for RunCertificate {
             out,
             "  seconds             read {:.2}, search {:.2}, order {:.2}, assemble {:.2}, factor {:.2}, solve {:.2}, write {:.2}; in all {:.2}",
             s.read, s.search, p.order, p.assemble, p.factor, p.solve, s.write, s.total
-        )?;
-        if let Some(bytes) = self.peak_memory {
-            write!(out, "\n  peak memory         {:.0} MB", bytes as f64 / 1e6)?;
-        }
-        Ok(())
+        )
     }
 }

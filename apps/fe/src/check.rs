@@ -2,8 +2,9 @@
 
 use crate::approach::free_bodies;
 use crate::course::Course;
+use crate::explicit;
 use crate::fields::needs_recovery;
-use crate::job::{JobFailure, enter, scene, static_procedure};
+use crate::job::{JobFailure, enter, scene};
 use crate::plan::{Matrix, Plan};
 use crate::printed;
 use crate::recorder::chosen_fields;
@@ -18,7 +19,9 @@ use std::path::Path;
 pub fn check(deck: &Path, library: &Library) -> Result<String, JobFailure> {
     let cards = Deck::read(deck).map_err(|faults| JobFailure::Deck(faults.to_string()))?;
     let model = resolve(&cards, library).map_err(|faults| JobFailure::Deck(faults.to_string()))?;
-    model.steps.iter().try_for_each(|step| static_procedure(step).map(drop))?;
+    if model.steps.iter().any(|step| explicit::explicit(step).is_some()) {
+        return explicit::check(&model);
+    }
     let mut terms = Terms::new(&model).map_err(JobFailure::Deck)?;
     let mesh = &terms.structure.mesh;
     let mut text = String::new();

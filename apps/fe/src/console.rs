@@ -10,9 +10,13 @@ pub struct Console {
     quiet: bool,
     bar: Option<ProgressBar>,
     period: f64,
+    head_is_due: bool,
 }
 
 const HEAD: &str = " step incr att status equil    step time    increment   residual  overclosure |contact force|";
+
+const FRAMES: &str =
+    " step increment    step time    increment      kinetic       strain   dissipated         work      drift";
 
 impl Console {
     /// On standard output, with a progress bar where that is a terminal; or silent.
@@ -24,7 +28,14 @@ impl Console {
             }
             bar
         });
-        Console { quiet, bar, period: 1.0 }
+        Console { quiet, bar, period: 1.0, head_is_due: false }
+    }
+
+    /// The head of a table, once a step.
+    fn head(&mut self, text: &str) {
+        if std::mem::take(&mut self.head_is_due) {
+            self.line(text);
+        }
     }
 
     fn line(&self, text: &str) {
@@ -55,13 +66,14 @@ impl Observer for Console {
             Event::Note(note) => self.line(&remark(note)),
             Event::Step { number, plan, period } => {
                 self.line(&format!("\nstep {number}, time {period}: {}", plan.headline()));
-                self.line(HEAD);
                 self.period = period;
+                self.head_is_due = true;
                 if let Some(bar) = &self.bar {
                     bar.set_position(0);
                 }
             }
             Event::Increment { step, attempt, convergence: c, certificate, contact_force } => {
+                self.head(HEAD);
                 self.line(&format!(
                     "{step:5} {:4} {:3} {:6} {:5} {:>12} {:>12} {:>10} {:>12} {:>14}",
                     attempt.increment,
@@ -79,7 +91,28 @@ impl Observer for Console {
                 }
             }
             Event::Cutback { step, attempt, reason } => {
+                self.head(HEAD);
                 self.line(&format!("{step:5} {:4} {:3} cut back: {reason}", attempt.increment, attempt.attempt))
+            }
+            Event::Frame(frame) => {
+                self.head(FRAMES);
+                if let Some(bar) = &self.bar {
+                    bar.set_position((1000.0 * frame.step_time / self.period) as u64);
+                }
+                let (b, e) = (frame.balance, |value: f64| scientific(value, 4));
+                let dissipated = b.plastic + b.artificial + b.viscous;
+                self.line(&format!(
+                    "{:5} {:9} {:>12} {:>12} {:>12} {:>12} {:>12} {:>12} {:>10}",
+                    frame.step,
+                    frame.increment,
+                    scientific(frame.step_time, 5),
+                    scientific(frame.dt, 4),
+                    e(b.kinetic),
+                    e(b.strain),
+                    e(dissipated),
+                    e(b.work),
+                    scientific(b.drift(), 1),
+                ));
             }
             Event::Done(certificate) => {
                 if let Some(bar) = self.bar.take() {

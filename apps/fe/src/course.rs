@@ -3,9 +3,10 @@
 use fe_core::Freedoms;
 use fe_core::amplitude::{Amplitude, TimeBase};
 use fe_core::external::ExternalForces;
-use fe_core::load::{self, Load, LoadError, LoadKind, Support};
+use fe_core::load::{self, Load, LoadError, LoadKind, Prescribed, Support};
 use fe_core::procedure::Converged;
 use fe_core::ramp::Ramp;
+use fe_core::step::Procedure;
 use fe_core::structure::Structure;
 use fe_io::model::{Changes, Model, Step};
 use fe_mesh::{CellId, Face};
@@ -17,7 +18,7 @@ use std::sync::Arc;
 #[derive(Clone, Debug, Default)]
 pub struct Course {
     amplitudes: Vec<Arc<Amplitude>>,
-    supports: BTreeMap<usize, Ramp>,
+    supports: BTreeMap<usize, (Prescribed, Ramp)>,
     nodal: Vec<Active>,
     distributed: Vec<Active>,
     released: Vec<(usize, Ramp)>,
@@ -56,7 +57,18 @@ impl Course {
         let amplitudes = &self.amplitudes;
         self.nodal = change(std::mem::take(&mut self.nodal), &step.nodal_loads, amplitudes);
         self.distributed = change(std::mem::take(&mut self.distributed), &step.distributed_loads, amplitudes);
+        if matches!(step.procedure, Procedure::Explicit(_)) {
+            self.at_once();
+        }
         self.end = (step.procedure.period(), at.total_time + step.procedure.period(), step.procedure.period());
+    }
+
+    /// In an explicit step what has no amplitude holds from its start, and what is taken away is gone.
+    fn at_once(&mut self) {
+        self.released.clear();
+        let loads = self.nodal.iter_mut().chain(&mut self.distributed).map(|active| &mut active.ramp);
+        let ramps = loads.chain(self.supports.values_mut().map(|(_, ramp)| ramp));
+        ramps.filter(|ramp| ramp.amplitude.is_none()).for_each(|ramp| *ramp = Ramp::constant(ramp.to));
     }
 
     /// Forces [F], by freedom, that ramp to zero over the step just entered.
@@ -75,9 +87,12 @@ impl Course {
         }
         self.nodal.retain(|a| a.ramp != Ramp::constant(0.0));
         self.distributed.retain(|a| a.ramp != Ramp::constant(0.0));
-        for (f, ramp) in &mut self.supports {
+        for (f, (prescribed, ramp)) in &mut self.supports {
             if !ramp.amplitude.as_ref().is_some_and(|a| a.base == TimeBase::Total) {
-                *ramp = Ramp::constant(at.u[*f]);
+                *ramp = Ramp::constant(match prescribed {
+                    Prescribed::Displacement => at.u[*f],
+                    Prescribed::Velocity | Prescribed::Acceleration => ramp.at(step_time, total_time, period),
+                });
             }
         }
     }
@@ -86,7 +101,7 @@ impl Course {
         for item in items {
             if let Some(f) = freedoms.index(item.node as usize, item.component as usize) {
                 let amplitude = item.amplitude.map(|a| self.amplitudes[a].clone());
-                self.supports.insert(f, Ramp { from: at.u[f], to: item.value, amplitude });
+                self.supports.insert(f, (item.prescribed, Ramp { from: at.u[f], to: item.value, amplitude }));
             }
         }
     }
@@ -98,7 +113,12 @@ impl Course {
 
     /// Prescribed freedoms of the step, ascending.
     pub fn prescribed(&self) -> Vec<(usize, Ramp)> {
-        self.supports.iter().map(|(f, ramp)| (*f, ramp.clone())).collect()
+        self.supports.iter().map(|(f, (_, ramp))| (*f, ramp.clone())).collect()
+    }
+
+    /// Prescribed freedoms of an explicit step, ascending, with what is prescribed of each.
+    pub fn moved(&self) -> impl Iterator<Item = (usize, Prescribed, Ramp)> + '_ {
+        self.supports.iter().map(|(f, (prescribed, ramp))| (*f, *prescribed, ramp.clone()))
     }
 
     /// Loads of the step.

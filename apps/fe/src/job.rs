@@ -2,6 +2,7 @@
 
 use crate::certificate::RunCertificate;
 use crate::course::Course;
+use crate::explicit;
 use crate::observer::{Event, Observer};
 use crate::recorder::{self, Recorder};
 use crate::step_run::StepRun;
@@ -79,7 +80,9 @@ fn spare_sources(job: &Path, cards: &Deck) -> Result<(), JobFailure> {
 /// Runs a model; results are named after `job`, with other endings. `read` are the seconds spent on reading.
 pub fn run_model(model: &Model, job: &Path, read: f64, observer: &mut dyn Observer) -> Result<Report, JobFailure> {
     let start = Instant::now();
-    model.steps.iter().try_for_each(|step| static_procedure(step).map(drop))?;
+    if model.steps.iter().any(|step| matches!(step.procedure, step::Procedure::Explicit(_))) {
+        return explicit::run_model(model, job, read, observer);
+    }
     let mut terms = Terms::new(model).map_err(JobFailure::Deck)?;
     model.notes.iter().chain(&terms.notes).for_each(|note| observer.event(Event::Note(note)));
     let mut recorder = Recorder::create(job, model, &terms)?;

@@ -9,6 +9,7 @@ pub mod check;
 mod cli;
 pub mod console;
 pub mod course;
+pub mod explicit;
 pub mod fields;
 pub mod job;
 pub mod number;

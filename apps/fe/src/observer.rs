@@ -1,6 +1,7 @@
 //! What a run tells while it goes on.
 
 use crate::certificate::{Certificate, RunCertificate};
+use crate::explicit::Frame;
 use crate::plan::Plan;
 use fe_core::increment::Attempt;
 use fe_core::procedure::Convergence;
@@ -40,6 +41,8 @@ pub enum Event<'a> {
         /// Why, with the labels of the deck.
         reason: &'a str,
     },
+    /// A frame of an explicit step was stored.
+    Frame(&'a Frame),
     /// All steps are complete.
     Done(&'a RunCertificate),
 }

@@ -8,11 +8,13 @@ use fe_contact::state::ContactState;
 use fe_contact::summary::MeasureKind;
 use fe_core::increment::Attempt;
 use fe_core::procedure::Converged;
+use fe_core::structure::Structure;
 use fe_io::Model;
 use fe_io::model::Step;
 use fe_io::results::fields::{FIELDS, requested};
 use fe_io::results::history::CERTIFICATE;
 use fe_io::results::{self, FieldInfo, Grid, GridBlock, HistoryInfo, HistoryRow, JobInfo, ResultsError, ResultsFile};
+use fe_mesh::{CellBlock, Mesh};
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
@@ -77,12 +79,7 @@ impl Recorder {
     pub fn create(job: &Path, model: &Model, terms: &Terms) -> Result<Self, ResultsError> {
         let start = Instant::now();
         let mesh = &terms.structure.mesh;
-        let blocks: Vec<GridBlock> = mesh
-            .blocks
-            .iter()
-            .map(|block| GridBlock { kind: block.kind, labels: &block.labels, nodes: &block.nodes })
-            .collect();
-        let body = sections_of_cells(terms);
+        let (blocks, body) = (grid_blocks(mesh), sections_of_cells(&terms.structure));
         let grid = Grid {
             points: &mesh.points,
             node_labels: &mesh.point_labels,
@@ -170,12 +167,20 @@ impl Recorder {
     }
 }
 
+/// The blocks of a mesh as the results file wants them.
+pub fn grid_blocks(mesh: &Mesh) -> Vec<GridBlock<'_>> {
+    fn of(block: &CellBlock) -> GridBlock<'_> {
+        GridBlock { kind: block.kind, labels: &block.labels, nodes: &block.nodes }
+    }
+    mesh.blocks.iter().map(of).collect()
+}
+
 /// Section of each cell, in the mesh's order.
-fn sections_of_cells(terms: &Terms) -> Vec<u32> {
-    let mesh = &terms.structure.mesh;
+pub fn sections_of_cells(structure: &Structure) -> Vec<u32> {
+    let mesh = &structure.mesh;
     let first = mesh.first_cells();
     let mut body = vec![0; mesh.cell_count()];
-    for (index, cells) in terms.structure.section_cells().enumerate() {
+    for (index, cells) in structure.section_cells().enumerate() {
         for cell in cells {
             body[first[cell.block as usize] + cell.cell as usize] = index as u32;
         }
@@ -197,7 +202,10 @@ pub fn chosen_fields(model: &Model, terms: &Terms) -> Vec<FieldInfo> {
     let along = |field: &FieldInfo| field.name.starts_with("CSHEAR") || field.name.starts_with("CSLIP");
     let rubs = terms.contacts.iter().any(|pair| pair.friction().is_some());
     let without = |f: &FieldInfo| {
-        contact(f) && terms.contacts.is_empty() || along(f) && !rubs || line(f) && terms.structure.lines.is_empty()
+        matches!(f.name, "V" | "PEEQ")
+            || contact(f) && terms.contacts.is_empty()
+            || along(f) && !rubs
+            || line(f) && terms.structure.lines.is_empty()
     };
     let has = |kind: MeasureKind| {
         let mut points = terms.contacts.iter().flat_map(|contact| &contact.points);

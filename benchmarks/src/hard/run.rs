@@ -56,7 +56,7 @@ impl Observer for Recorded {
                 self.certificates.push(certificate.clone());
             }
             Event::Cutback { .. } => self.cutbacks += 1,
-            Event::Done(_) => {}
+            Event::Frame(_) | Event::Done(_) => {}
         }
     }
 }

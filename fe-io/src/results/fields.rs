@@ -56,6 +56,7 @@ const fn at_cells(field: FieldInfo) -> FieldInfo {
 /// Every field that can be stored. A value is NaN where the field is not defined.
 pub const FIELDS: &[FieldInfo] = &[
     with(VECTOR, field("U", "U", "L", "displacement")),
+    with(VECTOR, field("V", "V", "L/T", "velocity")),
     with(VECTOR, field("RF", "RF", "F", "reaction at supported freedoms, zero elsewhere")),
     with(TENSOR, field("S", "S", "F/L²", "stress, averaged at the node")),
     with(TENSOR, field("E", "E", "1", "strain, tensor components, averaged at the node")),
@@ -84,6 +85,7 @@ pub const FIELDS: &[FieldInfo] = &[
     at_cells(with(TENSOR, field("S", "S", "F/L²", "stress, mean over the integration points"))),
     at_cells(with(TENSOR, field("E", "E", "1", "strain, tensor components, mean over the integration points"))),
     at_cells(field("MISES", "MISES", "F/L²", "Mises stress of the mean stress")),
+    at_cells(field("PEEQ", "PEEQ", "1", "equivalent plastic strain")),
     at_cells(with(FORCES, field("SF", "SF", "F", "normal and shear forces of trusses and beams, mean"))),
     at_cells(with(MOMENTS, field("SM", "SM", "F L", "bending moments about axes 1 and 2, and torque, of beams, mean"))),
 ];

@@ -91,6 +91,19 @@ impl Tables {
         self.add(&text)
     }
 
+    /// V of a node set: `labels` and velocities [L/T], `[nodes]`, at total time `time` [T].
+    pub fn velocities(
+        &mut self,
+        set: &str,
+        time: f64,
+        labels: &[u64],
+        values: &[[f64; 3]],
+    ) -> Result<(), ResultsError> {
+        let mut text = for_set("velocities (vx,vy,vz)", set, time);
+        node_rows(&mut text, set, labels, values)?;
+        self.add(&text)
+    }
+
     /// RF of a node set, its sum, or both: `labels` and reactions [F], `[nodes]`.
     pub fn reactions(
         &mut self,

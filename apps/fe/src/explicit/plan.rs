@@ -1,0 +1,57 @@
+//! What an explicit step needs, and what it does not.
+
+use super::explicit;
+use super::scene::Scene;
+use crate::number::scientific;
+use crate::plan::Plan;
+use fe_core::element::Family;
+use fe_core::explicit::Advance;
+use fe_core::step::{Displacements, Explicit, IncrementChoice};
+use fe_io::model::Step;
+
+/// The plan of a step with so many prescribed freedoms, of whose first increment its terms say what `advance` holds.
+pub fn plan(scene: &Scene, step: &Step, prescribed: usize, advance: &Advance) -> Plan {
+    let structure = &scene.structure;
+    let unknowns = scene.freedoms.len() - prescribed;
+    let step = explicit(step).expect("the step is explicit");
+    let mut needs = vec![("procedure".to_owned(), in_words(&step))];
+    for section in &structure.sections {
+        let material = &structure.materials[section.material];
+        let (count, element) = (section.cells.len(), section.element.name());
+        needs.push(("solids".into(), format!("{count} {element} of {}, large displacements", material.name)));
+    }
+    for section in structure.lines.iter().filter(|section| section.element.family() == Family::Truss) {
+        needs.push((
+            "trusses".into(),
+            format!("{} {} of {}", section.cells.len(), section.element.name(), section.name),
+        ));
+    }
+    for section in &structure.discrete {
+        let (count, element) = (section.cells.len(), section.element.name());
+        needs.push(("discrete".into(), format!("{count} {element} of {:.6e}", section.magnitude)));
+    }
+    needs.push(("unknowns".into(), format!("{unknowns}, and {prescribed} prescribed freedoms; masses are lumped")));
+    let by = advance.element.map_or(String::new(), |cell| format!(", by element {}", structure.mesh.cell_name(cell)));
+    needs.push(("stable".into(), format!("{} at the start{by}", scientific(advance.increment(), 6))));
+    let idle_nodes = (0..scene.freedoms.nodes()).filter(|&n| scene.freedoms.of_node(n).is_empty()).count();
+    let leaves_out = vec![
+        "matrix and solver: forces move the nodes at once".into(),
+        "iterations and cutbacks: there is nothing to converge".into(),
+    ];
+    Plan { unknowns, prescribed, idle_nodes, needs, leaves_out }
+}
+
+fn in_words(step: &Explicit) -> String {
+    let increments = match step.increment {
+        IncrementChoice::Fixed(dt) => format!("increments of {}", scientific(dt, 6)),
+        IncrementChoice::Global | IncrementChoice::ElementByElement => {
+            format!("increments of {:.3} of the stable one, element by element", step.scale)
+        }
+    };
+    let geometry = match step.displacements {
+        Displacements::Large => "",
+        Displacements::Small => "; NLGEOM=NO is not there: displacements are large",
+    };
+    let [linear, quadratic] = step.bulk_viscosity;
+    format!("central differences for {}, {increments}; bulk viscosity {linear}, {quadratic}{geometry}", step.period)
+}
