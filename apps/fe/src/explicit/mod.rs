@@ -172,7 +172,7 @@ impl Run<'_> {
                 self.certificate.explicit = Some(balance);
                 let frame = Frame { step: number, increment, step_time: self.state.step_time, dt, balance };
                 observer.event(Event::Frame(&frame));
-                if !(balance.drift() < DRIFT) {
+                if balance.drift() >= DRIFT || balance.drift().is_nan() {
                     let reason =
                         format!("the energy balance is off by {:.1} % of the largest energy", 100.0 * balance.drift());
                     let help =
