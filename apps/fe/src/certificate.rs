@@ -215,6 +215,7 @@ impl RunCertificate {
         writeln!(out, "  plastic             {}", e(b.plastic))?;
         writeln!(out, "  hourglass           {}", e(b.artificial))?;
         writeln!(out, "  bulk viscosity      {}", e(b.viscous))?;
+        writeln!(out, "  contact             {}", e(b.contact))?;
         writeln!(out, "  work of loads       {}", e(b.work))?;
         writeln!(out, "  balance             {} of the largest energy", scientific(b.drift(), 2))?;
         let s = self.seconds;

@@ -15,8 +15,7 @@ pub struct Console {
 
 const HEAD: &str = " step incr att status equil    step time    increment   residual  overclosure |contact force|";
 
-const FRAMES: &str =
-    " step increment    step time    increment      kinetic       strain   dissipated         work      drift";
+const FRAMES: &str = " step increment    step time    increment      kinetic       strain   dissipated      contact         work      drift";
 
 impl Console {
     /// On standard output, with a progress bar where that is a terminal; or silent.
@@ -102,7 +101,7 @@ impl Observer for Console {
                 let (b, e) = (frame.balance, |value: f64| scientific(value, 4));
                 let dissipated = b.plastic + b.artificial + b.viscous;
                 self.line(&format!(
-                    "{:5} {:9} {:>12} {:>12} {:>12} {:>12} {:>12} {:>12} {:>10}",
+                    "{:5} {:9} {:>12} {:>12} {:>12} {:>12} {:>12} {:>12} {:>12} {:>10}",
                     frame.step,
                     frame.increment,
                     scientific(frame.step_time, 5),
@@ -110,6 +109,7 @@ impl Observer for Console {
                     e(b.kinetic),
                     e(b.strain),
                     e(dissipated),
+                    e(b.contact),
                     e(b.work),
                     scientific(b.drift(), 1),
                 ));

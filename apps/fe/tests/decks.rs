@@ -24,6 +24,10 @@ decks! {
     blocks_penalty_fields
     blocks_tabular
     crossing_beams
+    explicit_bounce
+    explicit_law_exponential
+    explicit_law_linear
+    explicit_oscillator
     friction_cycle
     gap_area
     gap_augmented
@@ -57,8 +61,15 @@ struct Expectation {
     absolute: f64,
 }
 
-const TABLES: [&str; 6] =
-    ["total force", "forces", "contact stress", "relative contact displacement", "displacements", "stresses"];
+const TABLES: [&str; 7] = [
+    "total force",
+    "forces",
+    "velocities",
+    "contact stress",
+    "relative contact displacement",
+    "displacements",
+    "stresses",
+];
 
 fn expectation(line: &str) -> Option<Expectation> {
     let text = line.strip_prefix("** expect")?.trim();
@@ -102,7 +113,8 @@ fn check(name: &str) {
         let fits = |b: &&Table| b.title.starts_with(e.table) && e.set.as_ref().is_none_or(|s| *s == b.set);
         let found: Vec<&Table> = blocks.iter().filter(fits).collect();
         let time = e.time.unwrap_or_else(|| found.last().unwrap_or_else(|| panic!("{line}: no table")).time);
-        let rows = found.iter().filter(|b| (b.time - time).abs() <= 1e-6 * time.abs()).flat_map(|b| &b.rows);
+        // Headers give times to five digits.
+        let rows = found.iter().filter(|b| (b.time - time).abs() <= 5e-6 * time.abs()).flat_map(|b| &b.rows);
         let rows: Vec<_> = rows.filter(|r| e.label.is_none_or(|l| r.labels.first() == Some(&l))).collect();
         assert!(!rows.is_empty(), "{line}: no row at time {time}");
         for row in rows {

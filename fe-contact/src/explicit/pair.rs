@@ -3,7 +3,7 @@
 use super::carriers::{Carriers, RigidFollower};
 use super::target::{Faces, Hit, MainSurface, Target};
 use crate::facet::Vec3;
-use crate::friction::{Coulomb, Sliding};
+use crate::friction::{Coulomb, Sliding, Spring};
 use crate::law::NormalLaw;
 use crate::point::ContactStatus;
 use crate::tangents::{Space, tangents};
@@ -56,7 +56,7 @@ pub struct Definition {
     pub normal: Normal,
     /// Enforcement.
     pub enforcement: Enforcement,
-    /// Friction; its spring is a stiffness.
+    /// Friction. It sticks on springs as stiff as those of hard contact, on its own where no element has given them a stiffness.
     pub friction: Option<Coulomb>,
     /// Damping across the surface, and along it as a part of that [-].
     pub damping: Option<(Viscosity, f64)>,
@@ -163,6 +163,29 @@ impl PenaltyPair {
         })
     }
 
+    /// `SECONDARY on MAIN`.
+    pub fn label(&self) -> &str {
+        &self.definition.name
+    }
+
+    /// How many secondary nodes it has, and what acts at them.
+    pub fn in_words(&self) -> (usize, String) {
+        let normal = match &self.definition.normal {
+            Normal::Softened(_) => "softened law".to_owned(),
+            Normal::Hard => {
+                let largest = self.points.iter().map(|point| point.penalty).fold(0.0, f64::max);
+                format!("hard, penalty up to {largest:.6e} F/L a node")
+            }
+        };
+        let friction = if self.definition.friction.is_some() { ", friction" } else { "" };
+        let damping = match self.definition.damping {
+            Some((Viscosity::Critical(part), _)) if part > 0.0 => format!(", damping {part} of critical"),
+            Some((Viscosity::Coefficient(value), _)) if value > 0.0 => format!(", damping {value:.6e}"),
+            _ => String::new(),
+        };
+        (self.points.len(), format!("{normal}{friction}{damping}"))
+    }
+
     /// Energy [F L] that friction has turned into heat.
     pub fn rubbed(&self) -> f64 {
         self.rubbed
@@ -233,7 +256,9 @@ impl PenaltyPair {
             let directions = tangents(&hit.normal, self.space);
             let along = |v: &Vec3| directions.map(|t| t.dot(v));
             let (elastic, slip) = (along(&point.elastic), along(moved));
-            let answer = friction.respond(Sliding { pressure, elastic, slip, dt });
+            let stiff = point.penalty / point.measure;
+            let spring = if stiff > 0.0 { Spring::Stiffness(stiff) } else { friction.spring };
+            let answer = friction.respond_on(spring, Sliding { pressure, elastic, slip, dt });
             for i in 0..2 {
                 force -= directions[i] * (answer.shear[i] * point.measure);
                 next.elastic += directions[i] * answer.elastic[i];

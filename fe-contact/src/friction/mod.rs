@@ -107,22 +107,28 @@ impl Coulomb {
 
     /// The answer.
     pub fn respond(&self, at: Sliding) -> Shear {
+        self.respond_on(self.spring, at)
+    }
+
+    /// The answer on other springs.
+    pub fn respond_on(&self, spring: Spring, at: Sliding) -> Shear {
         if self.is_none() {
             return Shear::default();
         }
         let trial: [f64; 2] = std::array::from_fn(|i| at.elastic[i] + at.slip[i]);
         let Some((coefficient, largest)) = &self.limit else {
-            return sticking(trial, self.stiffness(at.pressure));
+            let of_pressure = || self.stiffness(at.pressure);
+            return sticking(trial, if let Spring::Stiffness(k) = spring { k } else { of_pressure() });
         };
         let path = at.slip[0].hypot(at.slip[1]);
         let (critical, by_pressure, by_path) = critical(coefficient, *largest, at, path);
         let size = trial[0].hypot(trial[1]);
-        let allowed = match self.spring {
+        let allowed = match spring {
             Spring::Slip(slip) => slip,
             Spring::Stiffness(stiffness) => critical / stiffness,
         };
         let slips = size > allowed;
-        if let (false, Spring::Stiffness(stiffness)) = (slips, self.spring) {
+        if let (false, Spring::Stiffness(stiffness)) = (slips, spring) {
             return sticking(trial, stiffness);
         }
         // C.

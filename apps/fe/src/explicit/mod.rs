@@ -1,5 +1,6 @@
 //! Explicit jobs: step by step, increment by increment, with frames at equal intervals of time.
 
+mod contact;
 mod plan;
 mod record;
 mod scene;
@@ -88,7 +89,7 @@ fn enter(model: &Model, index: usize, course: &mut Course, scene: &mut Scene, st
     let (u, residual) = (state.u.clone(), vec![0.0; state.u.len()]);
     let at = Converged { u, residual, total_time: state.total_time, ..Converged::default() };
     course.enter(initial, step, &scene.freedoms, &at);
-    scene.enter(step, course)
+    scene.enter(model, step, course)
 }
 
 /// What a step prescribes, and of which of so many freedoms.
@@ -156,6 +157,7 @@ impl Run<'_> {
                 ));
             }
             last = dt;
+            let before = self.state.step_time;
             let ends = dt >= left;
             procedure
                 .advance(&mut self.scene.terms(), self.state, dt)
@@ -165,7 +167,7 @@ impl Run<'_> {
             }
             increment += 1;
             self.certificate.increments += 1;
-            let due = self.record.is_due(self.state, explicit.period);
+            let due = step.output.frames.hold(increment, [before, self.state.step_time], explicit.period);
             if due {
                 let at = (&*self.state, &procedure, fixed.as_slice());
                 let balance = self.record.frame(self.scene, at, (number, increment), &step.output, ends)?;

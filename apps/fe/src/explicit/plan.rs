@@ -33,11 +33,19 @@ pub fn plan(scene: &Scene, step: &Step, prescribed: usize, advance: &Advance) ->
     needs.push(("unknowns".into(), format!("{unknowns}, and {prescribed} prescribed freedoms; masses are lumped")));
     let by = advance.element.map_or(String::new(), |cell| format!(", by element {}", structure.mesh.cell_name(cell)));
     needs.push(("stable".into(), format!("{} at the start{by}", scientific(advance.increment(), 6))));
-    let idle_nodes = (0..scene.freedoms.nodes()).filter(|&n| scene.freedoms.of_node(n).is_empty()).count();
-    let leaves_out = vec![
+    for pair in scene.contacts() {
+        let (name, (points, law)) = (pair.label(), pair.in_words());
+        needs.push(("contact pair".into(), format!("{name}, by forces at {points} nodes: {law}")));
+    }
+    let without = (0..scene.freedoms.nodes()).filter(|&n| scene.freedoms.of_node(n).is_empty()).count();
+    let idle_nodes = without.saturating_sub(scene.following());
+    let mut leaves_out: Vec<String> = vec![
         "matrix and solver: forces move the nodes at once".into(),
         "iterations and cutbacks: there is nothing to converge".into(),
     ];
+    if scene.pairs.is_empty() {
+        leaves_out.push("contact: no pair acts".into());
+    }
     Plan { unknowns, prescribed, idle_nodes, needs, leaves_out }
 }
 

@@ -1,8 +1,9 @@
 //! Results of explicit jobs: frames, energies, tables.
 
 use super::scene::Scene;
-use crate::fields::mises;
+use crate::fields::{mises, status};
 use crate::recorder::{fields_path, grid_blocks, sections_of_cells, tables_path};
+use fe_contact::explicit::PointState as ContactPoint;
 use fe_core::explicit::ExplicitTerm;
 use fe_core::explicit::central_difference::{CentralDifference, State};
 use fe_core::explicit::solid::PointState;
@@ -13,9 +14,6 @@ use fe_io::results::table::{ElementRow, Tables};
 use fe_io::results::{self, FieldInfo, Grid, HistoryInfo, HistoryRow, JobInfo, Location, ResultsError, ResultsFile};
 use std::path::{Path, PathBuf};
 use std::time::Instant;
-
-/// Frames a step.
-const INTERVALS: usize = 20;
 
 /// Energies [F L] of a state.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -32,6 +30,8 @@ pub struct Balance {
     pub artificial: f64,
     /// ALLVD: dissipated by bulk viscosity.
     pub viscous: f64,
+    /// Taken by contact: stored by penalties and laws, dissipated by friction and damping.
+    pub contact: f64,
     /// ALLWK: work of loads and supports.
     pub work: f64,
     /// What there was at the start: of initial velocities.
@@ -43,7 +43,9 @@ pub struct Balance {
 impl Balance {
     /// ETOTAL: what is there, less what came from outside and what there was; 0 but for the error of the increments.
     pub fn total(&self) -> f64 {
-        self.conserved + self.strain + self.plastic + self.artificial + self.viscous - self.work - self.initial
+        self.conserved + self.strain + self.plastic + self.artificial + self.viscous + self.contact
+            - self.work
+            - self.initial
     }
 
     /// Its size over the largest energy so far [-].
@@ -70,14 +72,13 @@ pub struct Frame {
 
 /// Name of the history of energies, and its columns.
 const ENERGIES: &str = "Energies";
-const COLUMNS: [&str; 8] = ["ALLKE", "ALLSE", "ALLPD", "ALLAE", "ALLVD", "ALLWK", "ETOTAL", "increment"];
+const COLUMNS: [&str; 9] = ["ALLKE", "ALLSE", "ALLPD", "ALLAE", "ALLVD", "CONTACT", "ALLWK", "ETOTAL", "increment"];
 
 /// The files of a job.
 pub struct Record {
     file: ResultsFile,
     tables: Tables,
     seconds: f64,
-    frames: usize,
     initial: Option<f64>,
     largest: f64,
 }
@@ -104,7 +105,7 @@ impl Record {
         };
         let file = ResultsFile::create(&fields_path(job), info, &grid, &fields(model, scene), &[history])?;
         let tables = Tables::create(&tables_path(job))?;
-        Ok(Record { file, tables, seconds: 0.0, frames: 0, initial: None, largest: 0.0 })
+        Ok(Record { file, tables, seconds: 0.0, initial: None, largest: 0.0 })
     }
 
     /// Where the results file is.
@@ -115,16 +116,6 @@ impl Record {
     /// Seconds spent on writing.
     pub fn seconds(&self) -> f64 {
         self.seconds
-    }
-
-    /// True when a frame is to be stored at this time of a step.
-    pub fn is_due(&mut self, state: &State, period: f64) -> bool {
-        let next = (self.frames + 1) as f64 / INTERVALS as f64 * period;
-        let due = state.step_time >= next.min(period);
-        if due {
-            self.frames = (state.step_time / period * INTERVALS as f64) as usize % INTERVALS;
-        }
-        due
     }
 
     /// Stores a frame, and prints the tables at the end of a step.
@@ -141,8 +132,8 @@ impl Record {
         let source = Source { scene, state, fixed, velocity: procedure.velocity(state), states: states(scene) };
         let values: Vec<Vec<f64>> = self.file.fields().iter().map(|field| source.values(field)).collect();
         let fields: Vec<&[f64]> = values.iter().map(Vec::as_slice).collect();
-        let Balance { kinetic, strain, plastic, artificial, viscous, work, .. } = balance;
-        let row = [kinetic, strain, plastic, artificial, viscous, work, balance.total(), state.dt];
+        let Balance { kinetic, strain, plastic, artificial, viscous, contact, work, .. } = balance;
+        let row = [kinetic, strain, plastic, artificial, viscous, contact, work, balance.total(), state.dt];
         let rows = [HistoryRow { name: ENERGIES, values: &row }];
         self.file.append(&results::Frame { time: state.total_time, step, increment, fields: &fields }, &rows)?;
         if ends && step > 0 {
@@ -159,8 +150,9 @@ impl Record {
         let solids = scene.solids.as_ref().map(|solids| solids.energies()).unwrap_or_default();
         let lines = scene.lines.as_ref().map_or(0.0, |lines| lines.stored());
         let conserved = procedure.conserved(state);
+        let contact = scene.contact_energy();
         let strain = solids.internal - solids.plastic + lines;
-        let sum = conserved + strain + solids.plastic + solids.hourglass + solids.viscous;
+        let sum = conserved + strain + solids.plastic + solids.hourglass + solids.viscous + contact;
         self.largest = self.largest.max(sum.abs());
         Balance {
             kinetic: procedure.kinetic(state),
@@ -169,6 +161,7 @@ impl Record {
             plastic: solids.plastic,
             artificial: solids.hourglass,
             viscous: solids.viscous,
+            contact,
             work: state.work - scene.loads.stored(),
             initial: *self.initial.get_or_insert(sum),
             largest: self.largest,
@@ -186,6 +179,7 @@ fn fields(model: &Model, scene: &Scene) -> Vec<FieldInfo> {
     let there = |field: &&FieldInfo| match (field.name, field.location) {
         ("U" | "V" | "RF", _) => true,
         ("S" | "MISES" | "PEEQ", Location::Cell) => scene.solids.is_some(),
+        ("COPEN" | "CSTATUS", _) => model.steps.iter().any(|step| !step.explicit_pairs.is_empty()),
         _ => false,
     };
     let wanted = |field: &&FieldInfo| {
@@ -226,6 +220,8 @@ impl Source<'_> {
             "S" => self.cells(6, |state, place| place.copy_from_slice(&state.stress)),
             "MISES" => self.cells(1, |state, place| place[0] = mises(&state.stress)),
             "PEEQ" => self.cells(1, |state, place| place[0] = state.plastic),
+            "COPEN" => self.contact(|point| point.opening.unwrap_or(f64::NAN), f64::min),
+            "CSTATUS" => self.contact(|point| status(point.status), f64::max),
             other => unreachable!("explicit jobs have no {other}"),
         }
     }
@@ -237,6 +233,16 @@ impl Source<'_> {
 
     fn vector(&self, node: u32, of: &dyn Fn(usize) -> f64) -> [f64; 3] {
         std::array::from_fn(|c| self.scene.freedoms.index(node as usize, c).map_or(0.0, of))
+    }
+
+    /// A number of the secondary nodes; where pairs share a node, `merge` of theirs.
+    fn contact(&self, value: impl Fn(&ContactPoint) -> f64, merge: fn(f64, f64) -> f64) -> Vec<f64> {
+        let mut out = vec![f64::NAN; self.scene.structure.mesh.points.len()];
+        for point in self.scene.contacts().flat_map(|pair| pair.states()) {
+            let place = &mut out[point.node as usize];
+            *place = merge(*place, value(&point));
+        }
+        out
     }
 
     fn cells(&self, width: usize, put: impl Fn(&PointState, &mut [f64])) -> Vec<f64> {

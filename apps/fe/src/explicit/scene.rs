@@ -1,7 +1,9 @@
 //! From a model to what acts in explicit steps.
 
+use super::contact;
 use crate::course::Course;
 use crate::job::JobFailure;
+use fe_contact::explicit::{PenaltyPair, RigidFollower};
 use fe_core::Freedoms;
 use fe_core::element::{ElementType, Family};
 use fe_core::explicit::ExplicitTerm;
@@ -14,7 +16,7 @@ use fe_core::section::{self, HourglassControl};
 use fe_core::step::Explicit;
 use fe_core::structure::Structure;
 use fe_io::Model;
-use fe_io::model::Step;
+use fe_io::model::{ActivePair, Step};
 use std::sync::Arc;
 
 /// What goes through all explicit steps of a job.
@@ -29,6 +31,11 @@ pub struct Scene {
     pub lines: Option<Lines>,
     /// Loads of the present step.
     pub loads: Loads,
+    /// The pairs that act in it, one after the other, with what they were made of.
+    pub pairs: Vec<(ActivePair, Vec<PenaltyPair>)>,
+    /// Work that pairs took which act no more [F L].
+    left: f64,
+    followers: Vec<RigidFollower>,
 }
 
 impl Scene {
@@ -40,17 +47,46 @@ impl Scene {
         let solids = (!sections.is_empty()).then(|| Solids::new(&structure, &freedoms, &sections));
         let lines = Lines::new(&structure, &freedoms, first.bulk_viscosity[0]);
         let lines = (!lines.is_empty()).then_some(lines);
-        Ok(Scene { structure, freedoms, solids, lines, loads: Loads::new(ExternalForces::default(), 1.0) })
+        let followers = contact::followers(&structure, &model.rigid_bodies);
+        let loads = Loads::new(ExternalForces::default(), 1.0);
+        Ok(Scene { structure, freedoms, solids, lines, loads, pairs: Vec::new(), left: 0.0, followers })
     }
 
     /// Enters a step whose loads are in `course`.
-    pub fn enter(&mut self, step: &Step, course: &Course) -> Result<(), JobFailure> {
+    pub fn enter(&mut self, model: &Model, step: &Step, course: &Course) -> Result<(), JobFailure> {
+        contact::refuse_the_rest(model, step)?;
         let external = course
             .external(&self.structure, &self.freedoms)
             .map_err(|error| JobFailure::Deck(format!("{}:{}: {error}", step.place.file, step.place.line)))?;
         let worked = self.loads.stored();
         self.loads = Loads::new(external, step.procedure.period()).after(worked);
+        // What acts as before goes on with its state.
+        let mut before = std::mem::take(&mut self.pairs);
+        for active in &step.explicit_pairs {
+            let kept = before.iter().position(|(was, _)| was == active);
+            let pairs = match kept {
+                Some(kept) => before.remove(kept).1,
+                None => contact::pairs(self, model, active, &self.followers),
+            };
+            self.pairs.push((*active, pairs));
+        }
+        self.left += before.iter().flat_map(|(_, pairs)| pairs).map(|pair| pair.stored()).sum::<f64>();
         Ok(())
+    }
+
+    /// All pairs that act.
+    pub fn contacts(&self) -> impl Iterator<Item = &PenaltyPair> {
+        self.pairs.iter().flat_map(|(_, pairs)| pairs)
+    }
+
+    /// Nodes that follow rigid bodies.
+    pub fn following(&self) -> usize {
+        self.followers.iter().map(|follower| follower.nodes.len()).sum()
+    }
+
+    /// Energy [F L] that contact has taken from the motion so far: stored, or turned into heat.
+    pub fn contact_energy(&self) -> f64 {
+        self.left + self.contacts().map(|pair| pair.stored()).sum::<f64>()
     }
 
     /// All terms: elements, loads, then contact.
@@ -59,6 +95,8 @@ impl Scene {
         terms.extend(self.solids.as_mut().map(|solids| solids as &mut dyn ExplicitTerm));
         terms.extend(self.lines.as_mut().map(|lines| lines as &mut dyn ExplicitTerm));
         terms.push(&mut self.loads);
+        let pairs = self.pairs.iter_mut().flat_map(|(_, pairs)| pairs);
+        terms.extend(pairs.map(|pair| pair as &mut dyn ExplicitTerm));
         terms
     }
 }

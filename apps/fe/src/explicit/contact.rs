@@ -1,0 +1,173 @@
+//! Contact pairs of a model as explicit steps take them.
+
+use super::scene::Scene;
+use crate::job::JobFailure;
+use fe_contact::explicit::{
+    Definition, Enforcement, MainSurface, Normal, PenaltyPair, RigidFollower, Secondary, Viscosity,
+};
+use fe_contact::facet::{Facet, Vec3};
+use fe_contact::friction::{Coulomb, Friction, Spring};
+use fe_contact::interaction::{Interaction, NormalBehavior};
+use fe_contact::pair::{ExplicitPair, MechanicalConstraint};
+use fe_contact::surface::{self, Main};
+use fe_contact::viscous::{DampingAmount, ExplicitDamping};
+use fe_core::structure::Structure;
+use fe_io::Model;
+use fe_io::model::{ActivePair, Place, RigidBody, Step};
+use fe_mesh::Face;
+use std::collections::BTreeMap;
+
+/// The bodies whose facets may be main surfaces.
+pub fn followers(structure: &Structure, bodies: &[RigidBody]) -> Vec<RigidFollower> {
+    let follower = |body: &RigidBody| {
+        let mut nodes: Vec<u32> = body.cells.iter().flat_map(|&cell| structure.mesh.cell(cell)).copied().collect();
+        nodes.sort_unstable();
+        nodes.dedup();
+        RigidFollower { reference: body.reference, nodes }
+    };
+    bodies.iter().map(follower).collect()
+}
+
+/// Refuses what a step asks for that is not there yet.
+pub fn refuse_the_rest(model: &Model, step: &Step) -> Result<(), JobFailure> {
+    let refuse = |place: &Place, what: &str, help: &str| {
+        let Place { file, line } = place;
+        Err(JobFailure::Deck(format!(
+            "error: {what} not there yet in explicit steps\n --> {file}:{line}\nhelp: {help}"
+        )))
+    };
+    if step.general_contact.is_some() {
+        return refuse(
+            &step.place,
+            "general contact (*CONTACT) is",
+            "use *CONTACT PAIR, MECHANICAL CONSTRAINT=PENALTY",
+        );
+    }
+    if !step.mass_scaling.is_empty() {
+        return refuse(&step.place, "mass scaling is", "leave *FIXED MASS SCALING and *VARIABLE MASS SCALING out");
+    }
+    for active in &step.explicit_pairs {
+        let (pair, place) = &model.explicit_pairs[active.pair];
+        if pair.constraint == MechanicalConstraint::Kinematic {
+            return refuse(place, "kinematic contact (the default) is", "use MECHANICAL CONSTRAINT=PENALTY");
+        }
+        if active.interaction.is_some_and(|i| model.interactions[i].no_separation) {
+            return refuse(place, "NO SEPARATION is", "leave it out");
+        }
+    }
+    Ok(())
+}
+
+/// The pairs that act in a step; where both sides may be either, both are, each for its part.
+pub fn pairs(scene: &Scene, model: &Model, active: &ActivePair, followers: &[RigidFollower]) -> Vec<PenaltyPair> {
+    let pair = &model.explicit_pairs[active.pair].0;
+    let interaction = active.interaction.map(|i| &model.interactions[i]);
+    let first_is_main = weight(scene, pair);
+    let mut out = Vec::new();
+    if first_is_main < 1.0 {
+        let main = match &pair.main {
+            Main::Faces(faces) => faces_of(scene, faces),
+            Main::Rigid { surface, reference } => {
+                MainSurface::Rigid { surface: surface.clone(), reference: *reference }
+            }
+        };
+        out.push((secondary(&scene.structure, &pair.secondary), main, 1.0 - first_is_main));
+    }
+    if let (surface::Secondary::Faces(first), Main::Faces(second)) = (&pair.secondary, &pair.main)
+        && first_is_main > 0.0
+    {
+        let nodes = secondary(&scene.structure, &surface::Secondary::Faces(second.clone()));
+        out.push((nodes, faces_of(scene, first), first_is_main));
+    }
+    let build = |(mut nodes, main, part): (Secondary, MainSurface, f64)| {
+        nodes.nodes.iter_mut().for_each(|node| node.1 *= part);
+        let name = format!("{} on {}", pair.secondary_name, pair.main_name);
+        let scale = part * active.scale_penalty;
+        PenaltyPair::new(
+            &scene.structure,
+            &scene.freedoms,
+            definition((name, nodes, main), interaction, scale),
+            followers,
+        )
+    };
+    out.into_iter().map(build).collect()
+}
+
+fn definition(
+    (name, secondary, main): (String, Secondary, MainSurface),
+    interaction: Option<&Interaction>,
+    scale: f64,
+) -> Definition {
+    let normal = match interaction.map(|i| &i.normal) {
+        Some(NormalBehavior::Softened(law)) => Normal::Softened(law.clone()),
+        Some(NormalBehavior::Hard(_)) | None => Normal::Hard,
+    };
+    let ExplicitDamping { amount, tangent_fraction } = interaction.and_then(|i| i.explicit_damping).unwrap_or_default();
+    let viscosity = match amount {
+        DampingAmount::Coefficient(coefficient) => Viscosity::Coefficient(coefficient),
+        DampingAmount::CriticalFraction(part) => Viscosity::Critical(part),
+    };
+    let spring = Spring::Stiffness(if let Normal::Softened(law) = &normal { law.typical_stiffness() } else { 1.0 });
+    let friction = interaction.and_then(|i| i.friction.as_ref()).map(|friction| match friction {
+        Friction::Coulomb { coefficient, largest, .. } => {
+            Coulomb { limit: Some((coefficient.clone(), *largest)), spring }
+        }
+        Friction::Rough => Coulomb { limit: None, spring },
+    });
+    Definition {
+        name,
+        secondary,
+        main,
+        normal,
+        enforcement: Enforcement::Penalty(scale),
+        friction,
+        damping: Some((viscosity, tangent_fraction)),
+    }
+}
+
+/// WEIGHT=, or what is usual: half and half for the faces of two deformable bodies, else the first surface is the secondary
+/// one.
+fn weight(scene: &Scene, pair: &ExplicitPair) -> f64 {
+    let deformable = |faces: &[Face]| {
+        faces
+            .iter()
+            .all(|face| scene.structure.elements[face.cell.block as usize].family() == fe_core::element::Family::Solid)
+    };
+    let both = match (&pair.secondary, &pair.main) {
+        (surface::Secondary::Faces(first), Main::Faces(second)) => deformable(first) && deformable(second),
+        _ => false,
+    };
+    pair.weight.unwrap_or(if both { 0.5 } else { 0.0 })
+}
+
+fn faces_of(scene: &Scene, faces: &[Face]) -> MainSurface {
+    let corners = |&face: &Face| {
+        let facet = Facet::new(&scene.structure, face, None, &Vec3::zeros());
+        facet.nodes()[..facet.corners()].to_vec()
+    };
+    MainSurface::Faces(faces.iter().map(corners).collect())
+}
+
+/// Nodes with the area of the faces around them, an equal share of each; the length of lines; or 1.
+fn secondary(structure: &Structure, side: &surface::Secondary) -> Secondary {
+    let mesh = &structure.mesh;
+    let mut measures: BTreeMap<u32, f64> = BTreeMap::new();
+    match side {
+        surface::Secondary::Faces(faces) => {
+            for &face in faces {
+                let facet = Facet::new(structure, face, None, &Vec3::zeros());
+                let nodes = &facet.nodes()[..facet.corners()];
+                nodes.iter().for_each(|&n| *measures.entry(n).or_default() += facet.area / nodes.len() as f64);
+            }
+        }
+        surface::Secondary::Lines(cells) => {
+            for &cell in cells {
+                let nodes = mesh.cell(cell);
+                let [a, b] = [0, 1].map(|i| Vec3::from(mesh.points[nodes[i] as usize]));
+                nodes[..2].iter().for_each(|&n| *measures.entry(n).or_default() += 0.5 * (b - a).norm());
+            }
+        }
+        surface::Secondary::Nodes(list) => measures.extend(list.iter().map(|node| (node.0, 1.0))),
+    }
+    Secondary { nodes: measures.into_iter().collect() }
+}
