@@ -41,6 +41,7 @@ pub struct Scene {
 impl Scene {
     /// At rest before the first step.
     pub fn new(model: &Model, first: &Explicit) -> Result<Self, JobFailure> {
+        model.steps.iter().try_for_each(|step| contact::refuse_the_rest(model, step))?;
         let structure = Arc::clone(&model.structure);
         let freedoms = structure.freedoms(&model.references());
         let sections = sections(&structure, first)?;
@@ -54,7 +55,6 @@ impl Scene {
 
     /// Enters a step whose loads are in `course`.
     pub fn enter(&mut self, model: &Model, step: &Step, course: &Course) -> Result<(), JobFailure> {
-        contact::refuse_the_rest(model, step)?;
         let external = course
             .external(&self.structure, &self.freedoms)
             .map_err(|error| JobFailure::Deck(format!("{}:{}: {error}", step.place.file, step.place.line)))?;
