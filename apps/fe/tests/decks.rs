@@ -25,6 +25,7 @@ decks! {
     blocks_tabular
     crossing_beams
     explicit_bounce
+    explicit_kinematic
     explicit_law_exponential
     explicit_law_linear
     explicit_oscillator

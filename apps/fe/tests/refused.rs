@@ -172,12 +172,18 @@ fn what_fails_in_an_instance_is_named_by_it() {
 fn explicit_steps() {
     let scratch = Scratch::new("refused_explicit");
     let deck = include_str!("../../../fe-io/tests/good/explicit_bounce.inp");
-    scratch.write("job.inp", &deck.replace(", MECHANICAL CONSTRAINT=PENALTY", ""));
-    for command in ["run", "check"] {
-        let run = scratch.fe(&[command, "job.inp"]);
-        assert_eq!(
-            objection(&run, &["kinematic contact (the default) is not there yet", "job.inp:43"], &scratch),
-            None
-        );
+    let pair = "*CONTACT PAIR, INTERACTION=I, MECHANICAL CONSTRAINT=PENALTY\nBALLS, WALLS\n";
+    let damped = deck.replace(", MECHANICAL CONSTRAINT=PENALTY", "").replace("FRACTION\n0.,", "FRACTION\n0.1,");
+    let general = deck.replace(pair, "*CONTACT\n*CONTACT INCLUSIONS, ALL EXTERIOR\n");
+    let refused = [
+        (general, "general contact (*CONTACT) is not there yet", "job.inp:39"),
+        (damped, "damping of kinematic contact is not there yet", "job.inp:43"),
+    ];
+    for (deck, what, place) in refused {
+        scratch.write("job.inp", &deck);
+        for command in ["run", "check"] {
+            let run = scratch.fe(&[command, "job.inp"]);
+            assert_eq!(objection(&run, &[what, place], &scratch), None);
+        }
     }
 }

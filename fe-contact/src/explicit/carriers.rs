@@ -1,7 +1,6 @@
 //! The nodes of surfaces, and what moves them: their own freedoms, or a rigid body.
 
 use crate::facet::Vec3;
-use fe_core::explicit::Moving;
 use fe_core::{Freedoms, Structure};
 use nalgebra::Rotation3;
 
@@ -49,10 +48,10 @@ impl Body {
         }
     }
 
-    fn update(&mut self, at: &Moving) {
+    fn update(&mut self, u: &[f64], v: &[f64]) {
         let of = |v: &[f64], first: usize| Vec3::from_fn(|c, _| self.freedoms[first + c].map_or(0.0, |f| v[f]));
-        let (shift, turn) = (of(at.u, 0), of(at.u, 3));
-        (self.velocity, self.spin) = (of(at.v, 0), of(at.v, 3));
+        let (shift, turn) = (of(u, 0), of(u, 3));
+        (self.velocity, self.spin) = (of(v, 0), of(v, 3));
         (self.place, self.rotation) = (self.start + shift, Rotation3::new(turn));
         (self.force, self.moment) = (Vec3::zeros(), Vec3::zeros());
     }
@@ -71,6 +70,13 @@ impl Body {
     pub fn push(&mut self, force: &Vec3, at: &Vec3) {
         self.force += force;
         self.moment += (at - self.place).cross(force);
+    }
+
+    /// How far a point of it moves along a direction as its freedoms move: freedoms with their coefficients.
+    pub fn row(&self, direction: &Vec3, at: &Vec3, out: &mut Vec<(usize, f64)>) {
+        let arm = (at - self.place).cross(direction);
+        let coefficients = direction.iter().chain(arm.iter()).copied();
+        out.extend(self.freedoms.iter().zip(coefficients).filter_map(|(f, d)| f.map(|f| (f, d))));
     }
 
     fn scatter(&self, forces: &mut [f64]) {
@@ -175,14 +181,14 @@ impl Carriers {
         }
     }
 
-    pub fn update(&mut self, at: &Moving) {
-        self.bodies.iter_mut().for_each(|body| body.update(at));
+    pub fn update(&mut self, u: &[f64], v: &[f64]) {
+        self.bodies.iter_mut().for_each(|body| body.update(u, v));
         for i in 0..self.nodes.len() {
             match self.carriers[i] {
                 Carrier::Free(first, directions) => {
                     for c in 0..directions {
-                        self.x[i][c] = self.start[i][c] + at.u[first + c];
-                        self.v[i][c] = at.v[first + c];
+                        self.x[i][c] = self.start[i][c] + u[first + c];
+                        self.v[i][c] = v[first + c];
                     }
                 }
                 Carrier::Rigid(body) => {
@@ -194,6 +200,14 @@ impl Carriers {
         }
         self.force.fill(Vec3::zeros());
         self.sums.fill([0.0; 2]);
+    }
+
+    /// How far a node moves along a direction as freedoms move.
+    pub fn row(&self, node: u32, direction: &Vec3, out: &mut Vec<(usize, f64)>) {
+        match self.carriers[node as usize] {
+            Carrier::Free(first, directions) => out.extend((0..directions).map(|c| (first + c, direction[c]))),
+            Carrier::Rigid(body) => self.bodies[body].row(direction, &self.x[node as usize], out),
+        }
     }
 
     /// A stiffness and a viscosity between a node and the shares of others: adds |d_i| Σ |d_j| times them to the rows.

@@ -1,4 +1,4 @@
-//! A contact pair by penalty or softened law: equal and opposite forces where secondary nodes are closed.
+//! A contact pair. By penalty: equal and opposite forces where secondary nodes are closed.
 
 use super::carriers::{Carriers, RigidFollower};
 use super::target::{Faces, Hit, MainSurface, Target};
@@ -7,8 +7,9 @@ use crate::friction::{Coulomb, Sliding, Spring};
 use crate::law::NormalLaw;
 use crate::point::ContactStatus;
 use crate::tangents::{Space, tangents};
-use fe_core::explicit::{Advance, ExplicitTerm, Halt, Moving};
+use fe_core::explicit::{Advance, ExplicitTerm, Halt, Moving, Predicted};
 use fe_core::{Freedoms, Structure};
+use std::collections::BTreeMap;
 use std::sync::Arc;
 
 /// The secondary side: each node with what the law's number is multiplied by, area [L²], length [L], or 1.
@@ -32,6 +33,8 @@ pub enum Normal {
 pub enum Enforcement {
     /// Springs; hard contact has those of [`PENALTY`] times this factor.
     Penalty(f64),
+    /// Impulses that correct the end of every increment: hard contact is kept exactly, and no increment is shortened.
+    Kinematic,
 }
 
 /// `*CONTACT DAMPING` of closed points.
@@ -68,22 +71,22 @@ pub const PENALTY: f64 = 0.1;
 
 /// A secondary node.
 #[derive(Clone, Copy, Debug, Default)]
-struct Point {
+pub(super) struct Point {
     /// In the carriers' lists.
-    index: u32,
-    measure: f64,
+    pub index: u32,
+    pub measure: f64,
     /// Stiffness [F/L] of hard contact.
-    penalty: f64,
+    pub penalty: f64,
     /// Elastic slip [L], a vector along the surface.
-    elastic: Vec3,
+    pub elastic: Vec3,
     /// Slip while closed [L].
-    slip: [f64; 2],
-    gap: f64,
-    pressure: f64,
-    shear: [f64; 2],
-    status: ContactStatus,
+    pub slip: [f64; 2],
+    pub gap: f64,
+    pub pressure: f64,
+    pub shear: [f64; 2],
+    pub status: ContactStatus,
     /// Force [F] on the node at the end of the last increment.
-    force: Vec3,
+    pub force: Vec3,
 }
 
 /// What is known of a secondary node.
@@ -107,19 +110,21 @@ pub struct PointState {
 
 /// A pair at work.
 #[derive(Debug)]
-pub struct PenaltyPair {
-    definition: Definition,
-    carriers: Carriers,
-    target: Target,
-    points: Vec<Point>,
-    secondary: Vec<u32>,
-    space: Space,
+pub struct ContactPair {
+    pub(super) definition: Definition,
+    pub(super) carriers: Carriers,
+    pub(super) target: Target,
+    pub(super) points: Vec<Point>,
+    pub(super) secondary: Vec<u32>,
+    pub(super) space: Space,
     has_penalty: bool,
-    work: f64,
-    rubbed: f64,
+    pub(super) work: f64,
+    pub(super) rubbed: f64,
+    /// Forces [F] on prescribed freedoms, of kinematic contact in the last increment.
+    pub(super) reactions: BTreeMap<usize, f64>,
 }
 
-impl PenaltyPair {
+impl ContactPair {
     /// With all surfaces where they are at the start; `rigid` are the bodies whose nodes may be in the faces.
     pub fn new(structure: &Structure, freedoms: &Freedoms, definition: Definition, rigid: &[RigidFollower]) -> Self {
         let own = definition.secondary.nodes.iter().map(|n| n.0);
@@ -137,7 +142,7 @@ impl PenaltyPair {
         let points: Vec<Point> = definition.secondary.nodes.iter().map(point).collect();
         let secondary = points.iter().map(|p| p.index).collect();
         let space = if structure.is_plane() { Space::Plane } else { Space::Solid };
-        PenaltyPair {
+        ContactPair {
             definition,
             carriers,
             target,
@@ -147,6 +152,7 @@ impl PenaltyPair {
             has_penalty: false,
             work: 0.0,
             rubbed: 0.0,
+            reactions: BTreeMap::new(),
         }
     }
 
@@ -172,6 +178,7 @@ impl PenaltyPair {
     pub fn in_words(&self) -> (usize, String) {
         let normal = match &self.definition.normal {
             Normal::Softened(_) => "softened law".to_owned(),
+            Normal::Hard if self.definition.enforcement == Enforcement::Kinematic => "hard".to_owned(),
             Normal::Hard => {
                 let largest = self.points.iter().map(|point| point.penalty).fold(0.0, f64::max);
                 format!("hard, penalty up to {largest:.6e} F/L a node")
@@ -183,7 +190,9 @@ impl PenaltyPair {
             Some((Viscosity::Coefficient(value), _)) if value > 0.0 => format!(", damping {value:.6e}"),
             _ => String::new(),
         };
-        (self.points.len(), format!("{normal}{friction}{damping}"))
+        let enforcement =
+            if self.definition.enforcement == Enforcement::Kinematic { ", kinematic, no damping" } else { "" };
+        (self.points.len(), format!("{normal}{enforcement}{friction}{damping}"))
     }
 
     /// Energy [F L] that friction has turned into heat.
@@ -204,7 +213,7 @@ impl PenaltyPair {
 
     /// Stiffness of hard contact, once the increment is known.
     fn stiffen(&mut self, increment: f64) {
-        let Enforcement::Penalty(scale) = self.definition.enforcement;
+        let Enforcement::Penalty(scale) = self.definition.enforcement else { return };
         for point in &mut self.points {
             let mass = self.carriers.mass[point.index as usize];
             point.penalty = if increment.is_finite() { scale * PENALTY * mass / (increment * increment) } else { 0.0 };
@@ -275,7 +284,7 @@ impl PenaltyPair {
     }
 }
 
-impl ExplicitTerm for PenaltyPair {
+impl ExplicitTerm for ContactPair {
     fn name(&self) -> &str {
         &self.definition.name
     }
@@ -284,8 +293,21 @@ impl ExplicitTerm for PenaltyPair {
         self.carriers.weigh(mass);
     }
 
+    fn correct(&mut self, at: &mut Predicted) {
+        if self.definition.enforcement == Enforcement::Kinematic {
+            self.correct_kinematically(at);
+        }
+    }
+
     fn advance(&mut self, at: &Moving, forces: &mut [f64]) -> Result<Advance, Halt> {
-        self.carriers.update(at);
+        if self.definition.enforcement == Enforcement::Kinematic {
+            if at.dt == 0.0 {
+                self.survey(at.u, at.v);
+            }
+            self.reactions.iter().for_each(|(&freedom, force)| forces[freedom] += force);
+            return Ok(Advance::default());
+        }
+        self.carriers.update(at.u, at.v);
         if !self.has_penalty {
             self.stiffen(at.stable);
         }
@@ -332,6 +354,6 @@ impl ExplicitTerm for PenaltyPair {
 }
 
 /// A point that nothing presses.
-fn open(point: &Point) -> Point {
+pub(super) fn open(point: &Point) -> Point {
     Point { pressure: 0.0, shear: [0.0; 2], elastic: Vec3::zeros(), status: ContactStatus::Open, ..*point }
 }

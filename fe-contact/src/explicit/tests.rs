@@ -6,6 +6,7 @@ use crate::friction::{Coefficient, Coulomb, Spring};
 use crate::law::NormalLaw;
 use crate::law::exponential::Exponential;
 use crate::law::linear::Linear;
+use crate::point::ContactStatus;
 use crate::rigid::{Piece, RigidSurface, Sweep};
 use fe_core::Freedoms;
 use fe_core::element::ElementType::MASS;
@@ -17,6 +18,8 @@ use fe_core::ramp::Ramp;
 use fe_core::structure::{Discrete, Structure};
 use fe_mesh::{CellBlock, CellId};
 use std::sync::Arc;
+
+mod kinematic;
 
 /// Points with a mass each; further points without one.
 fn masses(points: &[([f64; 3], f64)]) -> Structure {
@@ -65,22 +68,29 @@ fn definition(nodes: &[u32], main: MainSurface, law: Arc<dyn NormalLaw>) -> Defi
 struct Scene {
     freedoms: Freedoms,
     lines: Lines,
-    pair: PenaltyPair,
+    pair: ContactPair,
     state: State,
     procedure: CentralDifference,
 }
 
 impl Scene {
     fn new(structure: &Structure, definition: Definition, held: &[u32], v: &[(u32, usize, f64)]) -> Self {
-        let references: Vec<u32> = held.to_vec();
+        let held: Vec<(u32, usize)> = held.iter().flat_map(|&n| (0..6).map(move |c| (n, c))).collect();
+        Scene::held(structure, definition, &held, v)
+    }
+
+    /// Nodes with held components are reference nodes.
+    fn held(structure: &Structure, definition: Definition, held: &[(u32, usize)], v: &[(u32, usize, f64)]) -> Self {
+        let mut references: Vec<u32> = held.iter().map(|h| h.0).collect();
+        references.dedup();
         let freedoms = structure.freedoms(&references);
         let zero = || vec![0.0; freedoms.len()];
         let mut state = State::rest(freedoms.len());
         v.iter().for_each(|&(n, c, value)| state.v[freedoms.index(n as usize, c).unwrap()] = value);
         let mut lines = Lines::new(structure, &freedoms, 0.0);
-        let mut pair = PenaltyPair::new(structure, &freedoms, definition, &[]);
+        let mut pair = ContactPair::new(structure, &freedoms, definition, &[]);
         let hold = |freedom| Support { freedom, kind: Prescribed::Displacement, course: Ramp::constant(0.0) };
-        let supports = held.iter().flat_map(|&n| freedoms.of_node(n as usize)).map(hold).collect();
+        let supports = held.iter().filter_map(|&(n, c)| freedoms.index(n as usize, c)).map(hold).collect();
         let terms: &mut [&mut dyn ExplicitTerm] = &mut [&mut lines, &mut pair];
         let procedure = CentralDifference::new(terms, zero(), supports, (1e9, f64::INFINITY), &mut state).unwrap();
         Scene { freedoms, lines, pair, state, procedure }

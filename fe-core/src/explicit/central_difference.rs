@@ -3,7 +3,7 @@
 //! v(n+½) = v(n−½) + a(n) (Δt(n−1) + Δt(n))/2, u(n+1) = u(n) + v(n+½) Δt(n), a = M⁻¹ f. With a constant increment
 //! ½ v(n−½) M v(n+½) plus what the forces have taken, by the trapezoidal rule, is constant to rounding.
 
-use super::{Advance, ExplicitTerm, Halt, Moving};
+use super::{Advance, ExplicitTerm, Halt, Moving, Predicted};
 use crate::load::Prescribed;
 use crate::ramp::Ramp;
 
@@ -116,6 +116,16 @@ impl CentralDifference {
             };
         }
         state.u.iter_mut().zip(&state.v).for_each(|(u, v)| *u += v * dt);
+        let mut predicted = Predicted {
+            u: &mut state.u,
+            v: &mut state.v,
+            force: &state.force,
+            mass: &self.mass,
+            is_prescribed: &self.is_prescribed,
+            dt,
+            mean,
+        };
+        terms.iter_mut().for_each(|term| term.correct(&mut predicted));
         (state.step_time, state.total_time, state.dt) = (step_time, total_time, dt);
         let at = Moving { u: &state.u, v: &state.v, step_time, total_time, dt, stable: dt };
         self.advance = act(terms, &at, &mut state.force)?;

@@ -24,6 +24,24 @@ pub struct Moving<'a> {
     pub stable: f64,
 }
 
+/// An increment as it is without the contact that corrects it; vectors over all freedoms.
+pub struct Predicted<'a> {
+    /// Displacement at its end [L or rad].
+    pub u: &'a mut [f64],
+    /// Mean velocity in it [L/T or 1/T].
+    pub v: &'a mut [f64],
+    /// The forces [F] that have moved it.
+    pub force: &'a [f64],
+    /// Mass or moment of inertia of each freedom.
+    pub mass: &'a [f64],
+    /// Freedoms that supports move: they stay as they are.
+    pub is_prescribed: &'a [bool],
+    /// Length of the increment [T].
+    pub dt: f64,
+    /// Time [T] over which forces have changed the velocity: the mean of this increment and the one before.
+    pub mean: f64,
+}
+
 /// What a term has to say of the increments to come.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Advance {
@@ -87,6 +105,10 @@ pub trait ExplicitTerm: Send {
 
     /// Is told the masses of all freedoms, its own included.
     fn weigh(&mut self, _mass: &[f64]) {}
+
+    /// Corrects the end of an increment before forces are found there: impulses to `v`, and what they move to `u`. Its forces
+    /// on free freedoms are in that; on prescribed ones [`Self::advance`] adds them.
+    fn correct(&mut self, _at: &mut Predicted) {}
 
     /// Moves its state on to the end of an increment, and adds the forces [F] that act on the freedoms there.
     fn advance(&mut self, at: &Moving, forces: &mut [f64]) -> Result<Advance, Halt>;

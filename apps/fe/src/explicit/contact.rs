@@ -3,7 +3,7 @@
 use super::scene::Scene;
 use crate::job::JobFailure;
 use fe_contact::explicit::{
-    Definition, Enforcement, MainSurface, Normal, PenaltyPair, RigidFollower, Secondary, Viscosity,
+    ContactPair, Definition, Enforcement, MainSurface, Normal, RigidFollower, Secondary, Viscosity,
 };
 use fe_contact::facet::{Facet, Vec3};
 use fe_contact::friction::{Coulomb, Friction, Spring};
@@ -48,8 +48,18 @@ pub fn refuse_the_rest(model: &Model, step: &Step) -> Result<(), JobFailure> {
     }
     for active in &step.explicit_pairs {
         let (pair, place) = &model.explicit_pairs[active.pair];
+        let interaction = active.interaction.map(|i| &model.interactions[i]);
         if pair.constraint == MechanicalConstraint::Kinematic {
-            return refuse(place, "kinematic contact (the default) is", "use MECHANICAL CONSTRAINT=PENALTY");
+            let weight = weight(&model.structure, pair);
+            if weight > 0.0 && weight < 1.0 {
+                let help =
+                    "give WEIGHT=0. (the first surface is the secondary one) or 1., or MECHANICAL CONSTRAINT=PENALTY";
+                return refuse(place, "balanced kinematic contact (the default of two deformable surfaces) is", help);
+            }
+            if interaction.is_some_and(|i| i.explicit_damping.is_some_and(|damping| !is_without(damping.amount))) {
+                let help = "leave *CONTACT DAMPING out, or use MECHANICAL CONSTRAINT=PENALTY";
+                return refuse(place, "damping of kinematic contact is", help);
+            }
         }
         if active.interaction.is_some_and(|i| model.interactions[i].no_separation) {
             return refuse(place, "NO SEPARATION is", "leave it out");
@@ -59,10 +69,10 @@ pub fn refuse_the_rest(model: &Model, step: &Step) -> Result<(), JobFailure> {
 }
 
 /// The pairs that act in a step; where both sides may be either, both are, each for its part.
-pub fn pairs(scene: &Scene, model: &Model, active: &ActivePair, followers: &[RigidFollower]) -> Vec<PenaltyPair> {
+pub fn pairs(scene: &Scene, model: &Model, active: &ActivePair, followers: &[RigidFollower]) -> Vec<ContactPair> {
     let pair = &model.explicit_pairs[active.pair].0;
     let interaction = active.interaction.map(|i| &model.interactions[i]);
-    let first_is_main = weight(scene, pair);
+    let first_is_main = weight(&scene.structure, pair);
     let mut out = Vec::new();
     if first_is_main < 1.0 {
         let main = match &pair.main {
@@ -82,11 +92,14 @@ pub fn pairs(scene: &Scene, model: &Model, active: &ActivePair, followers: &[Rig
     let build = |(mut nodes, main, part): (Secondary, MainSurface, f64)| {
         nodes.nodes.iter_mut().for_each(|node| node.1 *= part);
         let name = format!("{} on {}", pair.secondary_name, pair.main_name);
-        let scale = part * active.scale_penalty;
-        PenaltyPair::new(
+        let enforcement = match pair.constraint {
+            MechanicalConstraint::Penalty => Enforcement::Penalty(part * active.scale_penalty),
+            MechanicalConstraint::Kinematic => Enforcement::Kinematic,
+        };
+        ContactPair::new(
             &scene.structure,
             &scene.freedoms,
-            definition((name, nodes, main), interaction, scale),
+            definition((name, nodes, main), interaction, enforcement),
             followers,
         )
     };
@@ -96,7 +109,7 @@ pub fn pairs(scene: &Scene, model: &Model, active: &ActivePair, followers: &[Rig
 fn definition(
     (name, secondary, main): (String, Secondary, MainSurface),
     interaction: Option<&Interaction>,
-    scale: f64,
+    enforcement: Enforcement,
 ) -> Definition {
     let normal = match interaction.map(|i| &i.normal) {
         Some(NormalBehavior::Softened(law)) => Normal::Softened(law.clone()),
@@ -119,19 +132,24 @@ fn definition(
         secondary,
         main,
         normal,
-        enforcement: Enforcement::Penalty(scale),
+        enforcement,
         friction,
-        damping: Some((viscosity, tangent_fraction)),
+        damping: (enforcement != Enforcement::Kinematic).then_some((viscosity, tangent_fraction)),
     }
+}
+
+fn is_without(damping: DampingAmount) -> bool {
+    let (DampingAmount::Coefficient(amount) | DampingAmount::CriticalFraction(amount)) = damping;
+    amount == 0.0
 }
 
 /// WEIGHT=, or what is usual: half and half for the faces of two deformable bodies, else the first surface is the secondary
 /// one.
-fn weight(scene: &Scene, pair: &ExplicitPair) -> f64 {
+fn weight(structure: &Structure, pair: &ExplicitPair) -> f64 {
     let deformable = |faces: &[Face]| {
         faces
             .iter()
-            .all(|face| scene.structure.elements[face.cell.block as usize].family() == fe_core::element::Family::Solid)
+            .all(|face| structure.elements[face.cell.block as usize].family() == fe_core::element::Family::Solid)
     };
     let both = match (&pair.secondary, &pair.main) {
         (surface::Secondary::Faces(first), Main::Faces(second)) => deformable(first) && deformable(second),

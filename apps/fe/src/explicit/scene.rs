@@ -3,7 +3,7 @@
 use super::contact;
 use crate::course::Course;
 use crate::job::JobFailure;
-use fe_contact::explicit::{PenaltyPair, RigidFollower};
+use fe_contact::explicit::{ContactPair, RigidFollower};
 use fe_core::Freedoms;
 use fe_core::element::{ElementType, Family};
 use fe_core::explicit::ExplicitTerm;
@@ -32,7 +32,7 @@ pub struct Scene {
     /// Loads of the present step.
     pub loads: Loads,
     /// The pairs that act in it, one after the other, with what they were made of.
-    pub pairs: Vec<(ActivePair, Vec<PenaltyPair>)>,
+    pub pairs: Vec<(ActivePair, Vec<ContactPair>)>,
     /// Work that pairs took which act no more [F L].
     left: f64,
     followers: Vec<RigidFollower>,
@@ -75,7 +75,7 @@ impl Scene {
     }
 
     /// All pairs that act.
-    pub fn contacts(&self) -> impl Iterator<Item = &PenaltyPair> {
+    pub fn contacts(&self) -> impl Iterator<Item = &ContactPair> {
         self.pairs.iter().flat_map(|(_, pairs)| pairs)
     }
 
