@@ -194,10 +194,10 @@ fn full_name(word: &str) -> &str {
 
 /// Keys that decks know and this program does not.
 const NOT_YET: &[&str] = &[
-    "A", "NT", "NT11", "RFL", "RFL11", "TSF", "TF", "RM", "UR", "UT", "COORD", "POR", "PEEQ", "PE", "LE", "EE", "NE",
-    "ME", "THE", "SDV", "ENER", "EVOL", "ELSE", "ELKE", "EMAS", "EBHE", "SENER", "HFL", "SINV", "SP", "EP", "PEMAG",
-    "PEQC", "CELS", "CNUM", "CAREA", "CNAREA", "CDSTRESS", "PCON", "PHS", "MAXE", "ZZS", "ERR", "KEQ", "CFT", "CM",
-    "CMN", "CMS", "CMT", "XN", "XS", "XT", "CTRQ", "SOF", "SOM", "SOAREA", "STATUS", "VOLC", "SDEG", "ZZSERR",
+    "V", "A", "NT", "NT11", "RFL", "RFL11", "TSF", "TF", "RM", "UR", "UT", "COORD", "POR", "PEEQ", "PE", "LE", "EE",
+    "NE", "ME", "THE", "SDV", "ENER", "EVOL", "ELSE", "ELKE", "EMAS", "EBHE", "SENER", "HFL", "SINV", "SP", "EP",
+    "PEMAG", "PEQC", "CELS", "CNUM", "CAREA", "CNAREA", "CDSTRESS", "PCON", "PHS", "MAXE", "ZZS", "ERR", "KEQ", "CFT",
+    "CM", "CMN", "CMS", "CMT", "XN", "XS", "XT", "CTRQ", "SOF", "SOM", "SOAREA", "STATUS", "VOLC", "SDEG", "ZZSERR",
 ];
 
 fn unknown_key(token: Token<'_>, word: &str, entry: &Entry<'_>, known: &[&str]) -> Diagnostic {
