@@ -6,6 +6,7 @@ mod faults;
 mod flush;
 mod friction;
 mod gaps;
+mod held;
 mod idle;
 mod increments;
 mod laws;
@@ -27,6 +28,7 @@ use super::Case;
 pub const CASES: &[Case] = &[
     Case { id: "D01", name: "penalty_sweep", scenes: stiffness::penalties },
     Case { id: "D02", name: "stiffness_ratio", scenes: stiffness::contrasts },
+    Case { id: "D03", name: "held_by_contact", scenes: held::scenes },
     Case { id: "D04", name: "overconstraint", scenes: overconstraint::supported },
     Case { id: "D05", name: "shared_nodes", scenes: overconstraint::shared },
     Case { id: "D06", name: "two_pass", scenes: overconstraint::two_pass },
