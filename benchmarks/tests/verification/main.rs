@@ -8,6 +8,7 @@ mod beams_on_rigid;
 mod bending;
 mod bodies;
 mod cattaneo;
+mod cattaneo_bodies;
 mod contact_patch;
 mod deck;
 mod hertz;
