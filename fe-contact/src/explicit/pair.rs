@@ -31,7 +31,7 @@ pub enum Normal {
 /// How contact is enforced.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Enforcement {
-    /// Springs; hard contact has those of [`PENALTY`] times this factor.
+    /// Springs; hard contact has those of `PENALTY` times this factor.
     Penalty(f64),
     /// Impulses that correct the end of every increment: hard contact is kept exactly, and no increment is shortened.
     Kinematic,
