@@ -186,4 +186,8 @@ fn explicit_steps() {
             assert_eq!(objection(&run, &[what, place], &scratch), None);
         }
     }
+    let cube = include_str!("../../../fe-io/tests/good/explicit_cube.inp").replace("TYPE=C3D8,", "TYPE=C3D8R,");
+    scratch.write("job.inp", &cube.replace("*DENSITY", "*DAMPING, ALPHA=1.\n*DENSITY"));
+    let run = scratch.fe(&["run", "job.inp"]);
+    assert_eq!(objection(&run, &["*DAMPING of material STEEL is not there"], &scratch), None);
 }

@@ -11,7 +11,7 @@ use fe_core::explicit::line::Lines;
 use fe_core::explicit::loads::Loads;
 use fe_core::explicit::solid::{Flow, Hourglass, SolidSection, Solids};
 use fe_core::external::ExternalForces;
-use fe_core::material::{Material, Response};
+use fe_core::material::{Damping, Material, Response};
 use fe_core::section::{self, HourglassControl};
 use fe_core::step::Explicit;
 use fe_core::structure::Structure;
@@ -114,6 +114,9 @@ fn sections<'a>(structure: &'a Structure, step: &Explicit) -> Result<Vec<SolidSe
                 material.name
             )));
         }
+        if material.damping != Damping::default() {
+            return Err(damped(&material.name));
+        }
         out.push(SolidSection {
             element: section.element,
             cells: &section.cells,
@@ -123,6 +126,9 @@ fn sections<'a>(structure: &'a Structure, step: &Explicit) -> Result<Vec<SolidSe
             viscosity: step.bulk_viscosity,
         });
     }
+    if let Some(section) = structure.lines.iter().find(|section| section.damping != Damping::default()) {
+        return Err(damped(&section.name));
+    }
     if let Some(section) = structure.lines.iter().find(|section| section.element.family() == Family::Beam) {
         return Err(JobFailure::Deck(format!(
             "error: beams {} of {} are not there in explicit steps yet\nhelp: there are trusses",
@@ -131,6 +137,13 @@ fn sections<'a>(structure: &'a Structure, step: &Explicit) -> Result<Vec<SolidSe
         )));
     }
     Ok(out)
+}
+
+fn damped(material: &str) -> JobFailure {
+    JobFailure::Deck(format!(
+        "error: *DAMPING of material {material} is not there in explicit steps yet\nhelp: leave it out; bulk viscosity, dashpots \
+         and *CONTACT DAMPING are there"
+    ))
 }
 
 /// Resistance to hourglass motion: what blocks of cubes need to bend, unless the deck says otherwise; stiffness 0.05 of 2μ V tr A
