@@ -1,7 +1,7 @@
 //! `*CLEARANCE`.
 
 use super::interferences::direction;
-use super::lines::fields;
+use super::lines::{at_least_one, fields};
 use super::scene::Scene;
 use super::which_pair;
 use crate::deck::number::number;
@@ -60,11 +60,12 @@ fn table(
 ) -> Vec<NodeClearance> {
     let on_surface = pair.secondary.nodes(&scene.structure.mesh);
     let mut all = BTreeMap::new();
-    let mut lines = scene.deck.lines(entry.card).peekable();
-    if lines.peek().is_none() {
-        let fault = Diagnostic::error(entry.card.span, "`TABULAR` needs data lines");
-        diagnostics.push(fault.help("add lines: node or node set, gap"));
-    }
+    let lines = at_least_one(
+        scene.deck.lines(entry.card),
+        entry,
+        ("`TABULAR` needs data lines", "add lines: node or node set, gap"),
+        diagnostics,
+    );
     for line in lines {
         let row = Row::read(line, fields(entry), diagnostics);
         let (Some(token), Some(value), true) = (row.token(0), row.number(1), row.sound) else { continue };

@@ -1,7 +1,7 @@
 //! What steps say of contacts: cards that hold until a later step says otherwise.
 
 use super::change_friction::Frictions;
-use super::lines::fields;
+use super::lines::{at_least_one, fields};
 use super::scene::Scene;
 use super::which_pair;
 use crate::diagnostic::{Diagnostic, Diagnostics};
@@ -90,11 +90,12 @@ impl InForce {
                 return;
             }
         };
-        let mut lines = scene.deck.lines(entry.card).peekable();
-        if lines.peek().is_none() {
-            let fault = Diagnostic::error(entry.card.span, "this card names no pair");
-            diagnostics.push(fault.help("add a line: secondary surface, main surface"));
-        }
+        let lines = at_least_one(
+            scene.deck.lines(entry.card),
+            entry,
+            ("this card names no pair", "add a line: secondary surface, main surface"),
+            diagnostics,
+        );
         for line in lines {
             let row = Row::read(line, fields(entry), diagnostics);
             let (Some(secondary), Some(main), true) = (row.token(0), row.token(1), row.sound) else { continue };

@@ -1,7 +1,7 @@
 //! `*CONTACT PAIR` of explicit steps, and their `*CONTACT CONTROLS`.
 
 use super::interactions::Interactions;
-use super::lines::fields;
+use super::lines::{at_least_one, fields};
 use super::pairs::{common_nodes, main, secondary};
 use super::procedures::only_for;
 use super::scene::{Analysis, Scene};
@@ -81,11 +81,12 @@ impl ExplicitPairs {
             weight: weight(entry, diagnostics),
         };
         let sound = diagnostics.faults() == before;
-        let mut lines = scene.deck.lines(entry.card).peekable();
-        if lines.peek().is_none() {
-            let fault = Diagnostic::error(entry.card.span, "this card names no surfaces");
-            diagnostics.push(fault.help("add a line: secondary surface, main surface"));
-        }
+        let lines = at_least_one(
+            scene.deck.lines(entry.card),
+            entry,
+            ("this card names no surfaces", "add a line: secondary surface, main surface"),
+            diagnostics,
+        );
         for line in lines {
             let row = Row::read(line, fields(entry), diagnostics);
             let (Some(first), Some(second), true) = (row.token(0), row.token(1), row.sound) else { continue };

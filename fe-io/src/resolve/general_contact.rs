@@ -1,7 +1,7 @@
 //! `*CONTACT` with its cards: general contact of explicit steps.
 
 use super::interactions::Interactions;
-use super::lines::fields;
+use super::lines::{at_least_one, fields};
 use super::pairs::faces_of;
 use super::scene::{Analysis, Scene};
 use crate::deck::card::{Token, normalized};
@@ -79,11 +79,12 @@ impl InForce {
             return;
         }
         // A blank line of an inclusion stands for all exterior faces.
-        let mut lines = scene.deck.all_lines(entry.card).peekable();
-        if lines.peek().is_none() {
-            let fault = Diagnostic::error(entry.card.span, "this card names no surfaces");
-            diagnostics.push(fault.help("add a line: first surface, second surface"));
-        }
+        let lines = at_least_one(
+            scene.deck.all_lines(entry.card),
+            entry,
+            ("this card names no surfaces", "add a line: first surface, second surface"),
+            diagnostics,
+        );
         for line in lines {
             let row = Row::read(line, fields(entry), diagnostics);
             let Some(regions) = regions(&row, scene, diagnostics).filter(|_| row.sound) else { continue };

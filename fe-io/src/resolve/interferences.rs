@@ -1,7 +1,7 @@
 //! `*CONTACT INTERFERENCE`.
 
 use super::conditions::InForce;
-use super::lines::line_fields;
+use super::lines::{at_least_one, line_fields};
 use super::scene::Scene;
 use super::steps::Named;
 use super::which_pair;
@@ -23,16 +23,12 @@ impl InForce {
     ) {
         let course = self.course(entry, named, diagnostics);
         let elements = entry.name("TYPE").is_some_and(|word| word == "ELEMENT");
-        let mut lines = scene.deck.lines(entry.card).peekable();
-        if lines.peek().is_none() {
-            let (nothing, whose) = if elements {
-                ("this card names no elements", "element set")
-            } else {
-                ("this card names no pair", "secondary surface, main surface")
-            };
-            let fault = Diagnostic::error(entry.card.span, nothing);
-            diagnostics.push(fault.help(format!("add a line: {whose}, overclosure")));
-        }
+        let missing = if elements {
+            ("this card names no elements", "add a line: element set, overclosure")
+        } else {
+            ("this card names no pair", "add a line: secondary surface, main surface, overclosure")
+        };
+        let lines = at_least_one(scene.deck.lines(entry.card), entry, missing, diagnostics);
         for line in lines {
             let row = Row::read(line, line_fields(entry, usize::from(elements)), diagnostics);
             let (Some(first), true) = (row.token(0), row.sound) else { continue };

@@ -5,6 +5,7 @@ use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::keyword::check::Entry;
 use crate::keyword::row::{Row, names};
 use crate::keyword::{Data, Field};
+use std::iter::Peekable;
 
 /// Fields of a card's first kind of data line.
 pub fn fields(entry: &Entry<'_>) -> &'static [Field] {
@@ -28,4 +29,18 @@ pub fn one_line<'a>(entry: &Entry<'a>, deck: &'a Deck, diagnostics: &mut Diagnos
     };
     let row = Row::read(line, fields(entry), diagnostics);
     row.sound.then_some(row)
+}
+
+/// The data lines of a card that needs some; where there are none, what is missing and what to add is told.
+pub fn at_least_one<I: Iterator>(
+    lines: I,
+    entry: &Entry<'_>,
+    (missing, help): (&str, &str),
+    diagnostics: &mut Diagnostics,
+) -> Peekable<I> {
+    let mut lines = lines.peekable();
+    if lines.peek().is_none() {
+        diagnostics.push(Diagnostic::error(entry.card.span, missing).help(help));
+    }
+    lines
 }

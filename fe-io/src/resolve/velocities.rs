@@ -1,6 +1,6 @@
 //! `*INITIAL CONDITIONS, TYPE=VELOCITY`.
 
-use super::lines::fields;
+use super::lines::{at_least_one, fields};
 use super::scene::{Analysis, Scene};
 use super::supports::without_freedom;
 use crate::deck::source::Span;
@@ -28,11 +28,12 @@ impl InitialVelocities {
             let note = Diagnostic::note(entry.card.span, "`*INITIAL CONDITIONS` has no effect in static steps");
             diagnostics.push(note.label("nothing has a velocity"));
         }
-        let mut lines = scene.deck.lines(entry.card).peekable();
-        if lines.peek().is_none() {
-            let fault = Diagnostic::error(entry.card.span, "this card gives no velocity");
-            diagnostics.push(fault.help("write: node or set, freedom, velocity"));
-        }
+        let lines = at_least_one(
+            scene.deck.lines(entry.card),
+            entry,
+            ("this card gives no velocity", "write: node or set, freedom, velocity"),
+            diagnostics,
+        );
         for line in lines {
             let row = Row::read(line, fields(entry), diagnostics);
             let (Some(token), Some(freedom), Some(value), true) =
