@@ -14,7 +14,6 @@ use fe_io::model::Step;
 use fe_io::results::fields::{FIELDS, requested};
 use fe_io::results::history::CERTIFICATE;
 use fe_io::results::{self, FieldInfo, Grid, GridBlock, HistoryInfo, HistoryRow, JobInfo, ResultsError, ResultsFile};
-use fe_mesh::{CellBlock, Mesh};
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
@@ -78,19 +77,8 @@ impl Recorder {
     /// Creates the files: the job's name with other endings.
     pub fn create(job: &Path, model: &Model, terms: &Terms) -> Result<Self, ResultsError> {
         let start = Instant::now();
-        let mesh = &terms.structure.mesh;
-        let (blocks, body) = (grid_blocks(mesh), sections_of_cells(&terms.structure));
-        let grid = Grid {
-            points: &mesh.points,
-            node_labels: &mesh.point_labels,
-            blocks: &blocks,
-            body: &body,
-            instances: &mesh.instances,
-        };
-        let name = job.file_stem().map(|stem| stem.to_string_lossy().into_owned()).unwrap_or_default();
-        let info = JobInfo { job: &name, heading: &model.heading, version: env!("CARGO_PKG_VERSION") };
-        let fields = chosen_fields(model, terms);
-        let file = ResultsFile::create(&fields_path(job), info, &grid, &fields, &histories(terms))?;
+        let held = (chosen_fields(model, terms), histories(terms));
+        let file = results_file(job, model, &terms.structure, held)?;
         let printed = Printed::create(&tables_path(job))?;
         Ok(Recorder { file, printed, seconds: start.elapsed().as_secs_f64() })
     }
@@ -167,16 +155,34 @@ impl Recorder {
     }
 }
 
-/// The blocks of a mesh as the results file wants them.
-pub fn grid_blocks(mesh: &Mesh) -> Vec<GridBlock<'_>> {
-    fn of(block: &CellBlock) -> GridBlock<'_> {
-        GridBlock { kind: block.kind, labels: &block.labels, nodes: &block.nodes }
-    }
-    mesh.blocks.iter().map(of).collect()
+/// The results file of a job on these bodies, with fields and histories.
+pub fn results_file(
+    job: &Path,
+    model: &Model,
+    structure: &Structure,
+    (fields, histories): (Vec<FieldInfo>, Vec<HistoryInfo>),
+) -> Result<ResultsFile, ResultsError> {
+    let mesh = &structure.mesh;
+    let blocks: Vec<GridBlock> = mesh
+        .blocks
+        .iter()
+        .map(|block| GridBlock { kind: block.kind, labels: &block.labels, nodes: &block.nodes })
+        .collect();
+    let body = sections_of_cells(structure);
+    let grid = Grid {
+        points: &mesh.points,
+        node_labels: &mesh.point_labels,
+        blocks: &blocks,
+        body: &body,
+        instances: &mesh.instances,
+    };
+    let name = job.file_stem().map(|stem| stem.to_string_lossy().into_owned()).unwrap_or_default();
+    let info = JobInfo { job: &name, heading: &model.heading, version: env!("CARGO_PKG_VERSION") };
+    ResultsFile::create(&fields_path(job), info, &grid, &fields, &histories)
 }
 
 /// Section of each cell, in the mesh's order.
-pub fn sections_of_cells(structure: &Structure) -> Vec<u32> {
+fn sections_of_cells(structure: &Structure) -> Vec<u32> {
     let mesh = &structure.mesh;
     let first = mesh.first_cells();
     let mut body = vec![0; mesh.cell_count()];

@@ -92,7 +92,7 @@ impl Scene {
         let hold = |freedom| Support { freedom, kind: Prescribed::Displacement, course: Ramp::constant(0.0) };
         let supports = held.iter().filter_map(|&(n, c)| freedoms.index(n as usize, c)).map(hold).collect();
         let terms: &mut [&mut dyn ExplicitTerm] = &mut [&mut lines, &mut pair];
-        let procedure = CentralDifference::new(terms, zero(), supports, (1e9, f64::INFINITY), &mut state).unwrap();
+        let procedure = CentralDifference::new(terms, supports, (1e9, f64::INFINITY), &mut state).unwrap();
         Scene { freedoms, lines, pair, state, procedure }
     }
 

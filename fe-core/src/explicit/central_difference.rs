@@ -67,11 +67,11 @@ impl CentralDifference {
     /// What the terms say of the start.
     pub fn new(
         terms: &mut Terms,
-        mut mass: Vec<f64>,
         supports: Vec<Support>,
         (period, most): (f64, f64),
         state: &mut State,
     ) -> Result<Self, Halt> {
+        let mut mass = vec![0.0; state.u.len()];
         terms.iter().for_each(|term| term.add_mass(&mut mass));
         terms.iter_mut().for_each(|term| term.weigh(&mass));
         let mut is_prescribed = vec![false; mass.len()];

@@ -86,9 +86,7 @@ impl Tables {
         labels: &[u64],
         values: &[[f64; 3]],
     ) -> Result<(), ResultsError> {
-        let mut text = for_set("displacements (vx,vy,vz)", set, time);
-        node_rows(&mut text, set, labels, values)?;
-        self.add(&text)
+        self.vectors("displacements (vx,vy,vz)", (set, time), (labels, values))
     }
 
     /// V of a node set: `labels` and velocities [L/T], `[nodes]`, at total time `time` [T].
@@ -99,7 +97,16 @@ impl Tables {
         labels: &[u64],
         values: &[[f64; 3]],
     ) -> Result<(), ResultsError> {
-        let mut text = for_set("velocities (vx,vy,vz)", set, time);
+        self.vectors("velocities (vx,vy,vz)", (set, time), (labels, values))
+    }
+
+    fn vectors(
+        &mut self,
+        title: &str,
+        (set, time): (&str, f64),
+        (labels, values): (&[u64], &[[f64; 3]]),
+    ) -> Result<(), ResultsError> {
+        let mut text = for_set(title, set, time);
         node_rows(&mut text, set, labels, values)?;
         self.add(&text)
     }
@@ -114,9 +121,7 @@ impl Tables {
         totals: Totals,
     ) -> Result<(), ResultsError> {
         if totals != Totals::Only {
-            let mut text = for_set("forces (fx,fy,fz)", set, time);
-            node_rows(&mut text, set, labels, values)?;
-            self.add(&text)?;
+            self.vectors("forces (fx,fy,fz)", (set, time), (labels, values))?;
         }
         if totals != Totals::No {
             let mut text = for_set("total force (fx,fy,fz)", set, time);

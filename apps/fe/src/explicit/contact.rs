@@ -61,7 +61,7 @@ pub fn refuse_the_rest(model: &Model, step: &Step) -> Result<(), JobFailure> {
                 return refuse(place, "damping of kinematic contact is", help);
             }
         }
-        if active.interaction.is_some_and(|i| model.interactions[i].no_separation) {
+        if interaction.is_some_and(|i| i.no_separation) {
             return refuse(place, "NO SEPARATION is", "leave it out");
         }
     }
@@ -69,7 +69,7 @@ pub fn refuse_the_rest(model: &Model, step: &Step) -> Result<(), JobFailure> {
 }
 
 /// The pairs that act in a step; where both sides may be either, both are, each for its part.
-pub fn pairs(scene: &Scene, model: &Model, active: &ActivePair, followers: &[RigidFollower]) -> Vec<ContactPair> {
+pub fn pairs(scene: &Scene, model: &Model, active: &ActivePair) -> Vec<ContactPair> {
     let pair = &model.explicit_pairs[active.pair].0;
     let interaction = active.interaction.map(|i| &model.interactions[i]);
     let first_is_main = weight(&scene.structure, pair);
@@ -100,7 +100,7 @@ pub fn pairs(scene: &Scene, model: &Model, active: &ActivePair, followers: &[Rig
             &scene.structure,
             &scene.freedoms,
             definition((name, nodes, main), interaction, enforcement),
-            followers,
+            &scene.followers,
         )
     };
     out.into_iter().map(build).collect()

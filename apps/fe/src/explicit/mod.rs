@@ -9,6 +9,7 @@ use crate::certificate::RunCertificate;
 use crate::course::Course;
 use crate::job::{JobFailure, Report};
 use crate::observer::{Event, Observer};
+use crate::plan::Plan;
 use fe_core::explicit::Halt;
 use fe_core::explicit::central_difference::{CentralDifference, State, Support};
 use fe_core::procedure::Converged;
@@ -70,13 +71,8 @@ pub fn check(model: &Model) -> Result<String, JobFailure> {
     let mut state = State::rest(scene.freedoms.len());
     for (index, step) in model.steps.iter().enumerate() {
         enter(model, index, &mut course, &mut scene, &state)?;
-        let (supports, fixed) = supports(&course, state.u.len());
-        let limits = (step.procedure.period(), f64::INFINITY);
-        let procedure =
-            CentralDifference::new(&mut scene.terms(), vec![0.0; fixed.len()], supports, limits, &mut state)
-                .map_err(|halt| halted(&scene, (index + 1, 0.0), &halt))?;
-        let prescribed = fixed.iter().filter(|fixed| **fixed).count();
-        let plan = plan::plan(&scene, step, prescribed, &procedure.stable());
+        let begun = begin((index + 1, step), &course, &mut scene, &mut state)?;
+        let plan = begun.plan;
         text += &format!("\nstep {}, time {}\n{plan}", index + 1, step.procedure.period());
     }
     Ok(text)
@@ -92,10 +88,33 @@ fn enter(model: &Model, index: usize, course: &mut Course, scene: &mut Scene, st
     scene.enter(model, step, course)
 }
 
-/// What a step prescribes, and of which of so many freedoms.
-fn supports(course: &Course, freedoms: usize) -> (Vec<Support>, Vec<bool>) {
+/// A step that has begun.
+struct Begun {
+    procedure: CentralDifference,
+    /// Prescribed freedoms.
+    fixed: Vec<bool>,
+    plan: Plan,
+}
+
+/// Begins a step that was entered.
+fn begin(
+    (number, step): (usize, &Step),
+    course: &Course,
+    scene: &mut Scene,
+    state: &mut State,
+) -> Result<Begun, JobFailure> {
+    let explicit = explicit(step).expect("all steps are explicit");
     let support = |(freedom, kind, course)| Support { freedom, kind, course };
-    (course.moved().map(support).collect(), course.fixed(freedoms))
+    let (supports, fixed) = (course.moved().map(support).collect(), course.fixed(state.u.len()));
+    let most = match explicit.increment {
+        IncrementChoice::Fixed(dt) => dt,
+        _ => explicit.largest.unwrap_or(f64::INFINITY),
+    };
+    let procedure = CentralDifference::new(&mut scene.terms(), supports, (explicit.period, most), state)
+        .map_err(|halt| halted(scene, (number, 0.0), &halt))?;
+    let prescribed = fixed.iter().filter(|fixed| **fixed).count();
+    let plan = plan::plan(scene, step, prescribed, &procedure.stable());
+    Ok(Begun { procedure, fixed, plan })
 }
 
 pub(crate) fn explicit(step: &Step) -> Option<Explicit> {
@@ -129,17 +148,7 @@ impl Run<'_> {
         observer: &mut dyn Observer,
     ) -> Result<(), JobFailure> {
         let explicit = explicit(step).expect("all steps are explicit");
-        let (supports, fixed) = supports(course, self.state.u.len());
-        let most = match explicit.increment {
-            IncrementChoice::Fixed(dt) => dt,
-            _ => explicit.largest.unwrap_or(f64::INFINITY),
-        };
-        let masses = vec![0.0; self.state.u.len()];
-        let limits = (explicit.period, most);
-        let mut procedure = CentralDifference::new(&mut self.scene.terms(), masses, supports, limits, self.state)
-            .map_err(|halt| halted(self.scene, (number, 0.0), &halt))?;
-        let prescribed = fixed.iter().filter(|fixed| **fixed).count();
-        let plan = plan::plan(self.scene, step, prescribed, &procedure.stable());
+        let Begun { mut procedure, fixed, plan } = begin((number, step), course, self.scene, self.state)?;
         observer.event(Event::Step { number, plan: &plan, period: explicit.period });
         if number == 1 {
             self.record.frame(self.scene, (self.state, &procedure, &fixed), (0, 0), &step.output, true)?;

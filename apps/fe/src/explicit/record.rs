@@ -2,7 +2,7 @@
 
 use super::scene::Scene;
 use crate::fields::{mises, status};
-use crate::recorder::{fields_path, grid_blocks, sections_of_cells, tables_path};
+use crate::recorder::{results_file, tables_path};
 use fe_contact::explicit::PointState as ContactPoint;
 use fe_core::explicit::ExplicitTerm;
 use fe_core::explicit::central_difference::{CentralDifference, State};
@@ -11,7 +11,7 @@ use fe_io::Model;
 use fe_io::model::{Output, Quantity, Table};
 use fe_io::results::fields::{FIELDS, requested};
 use fe_io::results::table::{ElementRow, Tables};
-use fe_io::results::{self, FieldInfo, Grid, HistoryInfo, HistoryRow, JobInfo, Location, ResultsError, ResultsFile};
+use fe_io::results::{self, FieldInfo, HistoryInfo, HistoryRow, Location, ResultsError, ResultsFile};
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
@@ -86,24 +86,13 @@ pub struct Record {
 impl Record {
     /// Creates them.
     pub fn create(job: &Path, model: &Model, scene: &Scene) -> Result<Self, ResultsError> {
-        let mesh = &scene.structure.mesh;
-        let (blocks, body) = (grid_blocks(mesh), sections_of_cells(&scene.structure));
-        let grid = Grid {
-            points: &mesh.points,
-            node_labels: &mesh.point_labels,
-            blocks: &blocks,
-            body: &body,
-            instances: &mesh.instances,
-        };
-        let name = job.file_stem().map(|stem| stem.to_string_lossy().into_owned()).unwrap_or_default();
-        let info = JobInfo { job: &name, heading: &model.heading, version: env!("CARGO_PKG_VERSION") };
         let history = HistoryInfo {
             name: ENERGIES.into(),
             columns: COLUMNS.map(str::to_owned).to_vec(),
             units: COLUMNS.map(|name| if name == "increment" { "T" } else { "F L" }.to_owned()).to_vec(),
             meaning: "energies, and the length of the last increment".into(),
         };
-        let file = ResultsFile::create(&fields_path(job), info, &grid, &fields(model, scene), &[history])?;
+        let file = results_file(job, model, &scene.structure, (fields(model, scene), vec![history]))?;
         let tables = Tables::create(&tables_path(job))?;
         Ok(Record { file, tables, seconds: 0.0, initial: None, largest: 0.0 })
     }

@@ -35,7 +35,8 @@ pub struct Scene {
     pub pairs: Vec<(ActivePair, Vec<ContactPair>)>,
     /// Work that pairs took which act no more [F L].
     left: f64,
-    followers: Vec<RigidFollower>,
+    /// Rigid bodies with the nodes that follow them.
+    pub followers: Vec<RigidFollower>,
 }
 
 impl Scene {
@@ -66,7 +67,7 @@ impl Scene {
             let kept = before.iter().position(|(was, _)| was == active);
             let pairs = match kept {
                 Some(kept) => before.remove(kept).1,
-                None => contact::pairs(self, model, active, &self.followers),
+                None => contact::pairs(self, model, active),
             };
             self.pairs.push((*active, pairs));
         }

@@ -32,6 +32,11 @@ fn oscillator(k: f64, m: f64) -> (Structure, Freedoms) {
     (structure, freedoms)
 }
 
+/// A step without end.
+fn begin(lines: &mut Lines, supports: Vec<Support>, state: &mut State) -> CentralDifference {
+    CentralDifference::new(&mut [lines], supports, (1e9, f64::INFINITY), state).unwrap()
+}
+
 fn hold(freedom: usize) -> Support {
     Support { freedom, kind: Prescribed::Displacement, course: Ramp::constant(0.0) }
 }
@@ -45,14 +50,7 @@ fn b13_oscillator() {
     state.v[0] = v0;
     let mut lines = Lines::new(&structure, &freedoms, 0.0);
     let supports = (1..freedoms.len()).map(hold).collect();
-    let mut procedure = CentralDifference::new(
-        &mut [&mut lines],
-        vec![0.0; freedoms.len()],
-        supports,
-        (1e9, f64::INFINITY),
-        &mut state,
-    )
-    .unwrap();
+    let mut procedure = begin(&mut lines, supports, &mut state);
     assert_eq!(procedure.stable().increment(), 1.0);
     for _ in 0..steps {
         procedure.advance(&mut [&mut lines], &mut state, dt).unwrap();
@@ -105,14 +103,7 @@ fn b07_dispersion() {
         let along = |i: usize| freedoms.index(i, 0).unwrap();
         (0..=wave).for_each(|i| state.v[along(i)] = amplitude * (k * i as f64).cos());
         let supports = (0..=wave).map(|i| hold(freedoms.index(i, 1).unwrap())).collect();
-        let mut procedure = CentralDifference::new(
-            &mut [&mut lines],
-            vec![0.0; freedoms.len()],
-            supports,
-            (1e9, f64::INFINITY),
-            &mut state,
-        )
-        .unwrap();
+        let mut procedure = begin(&mut lines, supports, &mut state);
         assert_eq!(procedure.stable().increment(), 1.0);
         // Two waves' time and a little more.
         let steps = (2.3 * wave as f64 / r) as usize;
@@ -137,9 +128,7 @@ fn b06_stable_chain() {
         let (mut state, mut lines) = (State::rest(freedoms.len()), Lines::new(&structure, &freedoms, 0.0));
         (0..=20).for_each(|i| state.v[freedoms.index(i, 0).unwrap()] = 1e-9 * ((i * i) as f64).sin());
         let supports = (0..=20).map(|i| hold(freedoms.index(i, 1).unwrap())).collect();
-        let masses = vec![0.0; freedoms.len()];
-        let mut procedure =
-            CentralDifference::new(&mut [&mut lines], masses, supports, (1e9, f64::INFINITY), &mut state).unwrap();
+        let mut procedure = begin(&mut lines, supports, &mut state);
         let dt = part * procedure.stable().increment();
         let most = if bounded { 100_000 } else { 200 };
         let lost = (0..most).any(|_| procedure.advance(&mut [&mut lines], &mut state, dt).is_err());
