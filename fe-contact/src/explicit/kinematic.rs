@@ -5,7 +5,8 @@
 //! methods in Explicit). Points that share nodes are solved in turn (Gauss-Seidel), until nothing changes; action is reaction.
 
 use super::carriers::Carriers;
-use super::pair::{ContactPair, Normal, Point, open};
+use super::definition::Normal;
+use super::pair::{ContactPair, Point, open};
 use super::target::{Hit, Target};
 use crate::facet::Vec3;
 use crate::friction::{Sliding, Spring};
@@ -77,10 +78,7 @@ struct Closing {
 impl ContactPair {
     /// The gaps of all points; the hits of those near.
     pub(super) fn survey(&mut self, u: &[f64], v: &[f64]) -> Vec<(usize, Hit)> {
-        self.carriers.update(u, v);
-        if let Target::Faces(faces) = &mut self.target {
-            faces.search(&self.carriers, &self.secondary);
-        }
+        self.look(u, v);
         let mut hits = Vec::new();
         for (place, point) in self.points.iter_mut().enumerate() {
             let hit = self.target.nearest(&self.carriers, place, &self.carriers.x[point.index as usize]);

@@ -1,12 +1,15 @@
 //! Contact in explicit steps: where surfaces are is found anew in every increment, and the laws are those of static steps.
 
 mod carriers;
+mod definition;
 mod kinematic;
 mod pair;
+mod penalty;
 mod target;
 
 pub use carriers::RigidFollower;
-pub use pair::{ContactPair, Definition, Enforcement, Normal, PointState, Secondary, Viscosity};
+pub use definition::{Definition, Enforcement, Normal, Secondary};
+pub use pair::{ContactPair, PointState};
 pub use target::MainSurface;
 
 #[cfg(test)]

@@ -77,7 +77,7 @@ impl Faces {
     }
 
     /// Searches anew where a node has moved far since the last search.
-    pub fn search(&mut self, carriers: &Carriers, secondary: &[u32]) {
+    pub fn search(&mut self, carriers: &Carriers, secondary: impl Iterator<Item = u32>) {
         let margin = MARGIN * self.size;
         let moved = |(x, before): (&Vec3, &Vec3)| (x - before).norm_squared();
         let farthest = carriers.x.iter().zip(&self.places).map(moved).fold(0.0, f64::max);
@@ -89,7 +89,7 @@ impl Faces {
         let grid = Grid::new(self.corners.iter().map(around).collect());
         self.start = vec![0];
         self.faces.clear();
-        for &node in secondary {
+        for node in secondary {
             let near = grid.meeting(&Bounds::around(&[carriers.x[node as usize]], 0.0));
             // A node does not meet faces of its own.
             self.faces.extend(near.into_iter().filter(|&face| !self.corners[face as usize].contains(&node)));

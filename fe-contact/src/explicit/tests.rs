@@ -8,6 +8,7 @@ use crate::law::exponential::Exponential;
 use crate::law::linear::Linear;
 use crate::point::ContactStatus;
 use crate::rigid::{Piece, RigidSurface, Sweep};
+use crate::viscous::DampingAmount;
 use fe_core::Freedoms;
 use fe_core::element::ElementType::MASS;
 use fe_core::explicit::ExplicitTerm;
@@ -84,7 +85,6 @@ impl Scene {
         let mut references: Vec<u32> = held.iter().map(|h| h.0).collect();
         references.dedup();
         let freedoms = structure.freedoms(&references);
-        let zero = || vec![0.0; freedoms.len()];
         let mut state = State::rest(freedoms.len());
         v.iter().for_each(|&(n, c, value)| state.v[freedoms.index(n as usize, c).unwrap()] = value);
         let mut lines = Lines::new(structure, &freedoms, 0.0);
@@ -209,7 +209,7 @@ fn b10_damped_contact_without_tension() {
         let (m, k, v) = (1.0, 1.0, 1.0);
         let structure = masses(&[([0.0; 3], m), ([0.0, 0.0, -1.0], 0.0)]);
         let law = Arc::new(Linear { slope: k, clearance: 0.0 });
-        let damping = Some((Viscosity::Critical(zeta), 0.0));
+        let damping = Some(DampingAmount::CriticalFraction(zeta));
         let mut scene =
             Scene::new(&structure, Definition { damping, ..definition(&[0], floor(1), law) }, &[1], &[(0, 2, -v)]);
         let (z, dt) = (scene.at(0, 2), 1e-4);

@@ -2,15 +2,13 @@
 
 use super::scene::Scene;
 use crate::job::JobFailure;
-use fe_contact::explicit::{
-    ContactPair, Definition, Enforcement, MainSurface, Normal, RigidFollower, Secondary, Viscosity,
-};
+use fe_contact::explicit::{ContactPair, Definition, Enforcement, MainSurface, Normal, RigidFollower, Secondary};
 use fe_contact::facet::{Facet, Vec3};
 use fe_contact::friction::{Coulomb, Friction, Spring};
 use fe_contact::interaction::{Interaction, NormalBehavior};
 use fe_contact::pair::{ExplicitPair, MechanicalConstraint};
 use fe_contact::surface::{self, Main};
-use fe_contact::viscous::{DampingAmount, ExplicitDamping};
+use fe_contact::viscous::DampingAmount;
 use fe_core::structure::Structure;
 use fe_io::Model;
 use fe_io::model::{ActivePair, Place, RigidBody, Step};
@@ -115,11 +113,7 @@ fn definition(
         Some(NormalBehavior::Softened(law)) => Normal::Softened(law.clone()),
         Some(NormalBehavior::Hard(_)) | None => Normal::Hard,
     };
-    let ExplicitDamping { amount, tangent_fraction } = interaction.and_then(|i| i.explicit_damping).unwrap_or_default();
-    let viscosity = match amount {
-        DampingAmount::Coefficient(coefficient) => Viscosity::Coefficient(coefficient),
-        DampingAmount::CriticalFraction(part) => Viscosity::Critical(part),
-    };
+    let damping = interaction.and_then(|i| i.explicit_damping).unwrap_or_default().amount;
     let spring = Spring::Stiffness(if let Normal::Softened(law) = &normal { law.typical_stiffness() } else { 1.0 });
     let friction = interaction.and_then(|i| i.friction.as_ref()).map(|friction| match friction {
         Friction::Coulomb { coefficient, largest, .. } => {
@@ -134,7 +128,7 @@ fn definition(
         normal,
         enforcement,
         friction,
-        damping: (enforcement != Enforcement::Kinematic).then_some((viscosity, tangent_fraction)),
+        damping: (enforcement != Enforcement::Kinematic).then_some(damping),
     }
 }
 

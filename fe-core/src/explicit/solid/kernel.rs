@@ -1,6 +1,7 @@
 //! Eight elements with one integration point over an increment: stress, hourglass resistance, bulk viscosity, forces.
 
-use super::flow::{Flow, Symmetric, moved};
+use super::flow::{Flow, Matrix, Symmetric, moved};
+use super::hourglass::{Hourglass, resist, resistance};
 use super::shape::{Shape, Vector};
 use crate::lanes::{LANES, Lanes};
 use pulp::{Arch, Simd, WithSimd};
@@ -11,18 +12,6 @@ use pulp::{Arch, Simd, WithSimd};
 pub(super) struct Place {
     pub x: [f64; 3],
     pub du: [f64; 3],
-}
-
-/// What resists hourglass motion.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Hourglass {
-    /// Springs, times a factor [-], so stiff that blocks of cubes bend as they should: E V tr A/72 for the three shapes of
-    /// bending, with A = Σ g gᵀ over the mean gradients g of the nodes, a third of it for the fourth.
-    Enhanced(f64),
-    /// Springs of a part κ [-] of 2μ V tr A (Flanagan and Belytschko, Int. J. Numer. Meth. Eng. 17 (1981) 679).
-    Stiffness(f64),
-    /// Dashpots of a part [-] of what is critical for the volumetric motion.
-    Viscous(f64),
 }
 
 /// What all elements of a chunk have in common.
@@ -149,21 +138,33 @@ fn all<S: Shape<N, H>, const N: usize, const H: usize, const FUSED: bool>(run: R
     outcome
 }
 
-struct Batch<const N: usize> {
-    forces: [Vector; N],
-    energies: [Lanes; 4],
+pub(super) struct Batch<const N: usize> {
+    pub forces: [Vector; N],
+    /// Internal, plastic, hourglass, viscous.
+    pub energies: [Lanes; 4],
     volume: Lanes,
     stable: Lanes,
 }
 
+/// Where eight elements are and how the increment moved them there.
+pub(super) struct Geometry<const N: usize> {
+    /// ∫∇N dV of each node [L²].
+    pub integrals: [Vector; N],
+    /// Volume [L³], and 1 over it.
+    volume: Lanes,
+    pub by: Lanes,
+    /// ∂Δu/∂x₁.
+    pub gradient: Matrix,
+    /// Trace of A = Σ g gᵀ, g the mean gradients of the nodes, and what its largest eigenvalue does not exceed [1/L²].
+    trace: Lanes,
+    largest: Lanes,
+}
+
 #[inline(always)]
-fn batch<S: Shape<N, H>, const N: usize, const H: usize, const FUSED: bool>(
-    common: &Common,
-    dt: f64,
-    (x, du): (&[Vector; N], &[Vector; N]),
-    state: &mut [Lanes],
-) -> Batch<N> {
-    // Gradients, volume, and the gradient of the increment by the place at its end.
+fn geometry<S: Shape<N, H>, const N: usize, const H: usize, const FUSED: bool>(
+    x: &[Vector; N],
+    du: &[Vector; N],
+) -> Geometry<N> {
     let integrals = S::gradients::<FUSED>(x);
     let mut volume = Lanes::ZERO;
     let (mut l, mut a) = ([[Lanes::ZERO; 3]; 3], [[Lanes::ZERO; 3]; 3]);
@@ -182,9 +183,22 @@ fn batch<S: Shape<N, H>, const N: usize, const H: usize, const FUSED: bool>(
     let by = Lanes::splat(1.0) / volume;
     l.iter_mut().flatten().for_each(|entry| *entry = *entry * by);
     a.iter_mut().flatten().for_each(|entry| *entry = *entry * by * by);
-    let motion = moved(&l);
+    let trace = a[0][0] + a[1][1] + a[2][2];
+    Geometry { integrals, volume, by, gradient: l, trace, largest: largest_eigenvalue(&a, trace) }
+}
+
+#[inline(always)]
+fn batch<S: Shape<N, H>, const N: usize, const H: usize, const FUSED: bool>(
+    common: &Common,
+    dt: f64,
+    (x, du): (&[Vector; N], &[Vector; N]),
+    state: &mut [Lanes],
+) -> Batch<N> {
+    let geometry = geometry::<S, N, H, FUSED>(x, du);
+    let (volume, mass) = (geometry.volume, state[MASS]);
+    let motion = moved(&geometry.gradient);
     let mut stress: Symmetric = [state[0], state[1], state[2], state[3], state[4], state[5]];
-    let (mut plastic, mass) = (state[PLASTIC], state[MASS]);
+    let mut plastic = state[PLASTIC];
     let work = common.flow.advance::<FUSED>(&motion, &mut stress, &mut plastic);
     state[..6].copy_from_slice(&stress);
     state[PLASTIC] = plastic;
@@ -193,21 +207,9 @@ fn batch<S: Shape<N, H>, const N: usize, const H: usize, const FUSED: bool>(
 
     // ω² ≤ N V/m (2μ a + λ tr A) with a ≥ the largest eigenvalue of A: equality for cubes and blocks with one short side.
     let (lambda, mu) = (common.flow.lambda, common.flow.mu);
-    let trace = a[0][0] + a[1][1] + a[2][2];
-    let largest = largest_eigenvalue(&a, trace);
     let per_mass = volume * N as f64 / mass;
-    let square = per_mass * (largest * (2.0 * mu) + trace * lambda.max(0.0));
-    let free = Lanes::splat(2.0) / square.sqrt();
-
-    // Bulk viscosity: a pressure against the rate of volume.
-    let speed = (volume / mass * (lambda + 2.0 * mu)).sqrt();
-    let [linear, quadratic] = common.viscosity;
-    let (rate, density) = if dt > 0.0 { (opened * (1.0 / dt), mass / volume) } else { (Lanes::ZERO, Lanes::ZERO) };
-    let length = speed * free;
-    let closing = (-rate).max(Lanes::ZERO);
-    let fraction = Lanes::splat(linear) + closing * free * (quadratic * quadratic);
-    let viscous = density * speed * length * fraction * rate;
-    let stable = free * ((fraction * fraction + Lanes::splat(1.0)).sqrt() - fraction);
+    let square = per_mass * (geometry.largest * (2.0 * mu) + geometry.trace * lambda.max(0.0));
+    let (viscous, stable) = bulk_viscosity(common, dt, (volume, mass), (opened, square));
 
     // V σ, less what the hourglass forces have of a constant gradient.
     let s = [stress[0] + viscous, stress[1] + viscous, stress[2] + viscous, stress[3], stress[4], stress[5]];
@@ -218,57 +220,45 @@ fn batch<S: Shape<N, H>, const N: usize, const H: usize, const FUSED: bool>(
         volume,
         stable,
     };
-    let young = mu * (3.0 * lambda + 2.0 * mu) / (lambda + mu);
     for k in 0..H {
-        let shape = &S::HOURGLASS[k];
-        let (mut place, mut turned) = ([Lanes::ZERO; 3], [Lanes::ZERO; 3]);
-        for n in 0..N {
-            for i in 0..3 {
-                place[i] = place[i].plus_product::<FUSED>(x[n][i], Lanes::splat(shape[n]));
-                turned[i] = turned[i].plus_product::<FUSED>(du[n][i], Lanes::splat(shape[n]));
-            }
-        }
-        let share = if k < 3 { 1.0 } else { 1.0 / 3.0 };
-        let stiffness = volume
-            * trace
-            * match common.hourglass {
-                Hourglass::Enhanced(factor) => factor * young * share / 72.0,
-                Hourglass::Stiffness(part) => 2.0 * mu * part,
-                Hourglass::Viscous(_) => 0.0,
-            };
-        // A dashpot c q/Δt, with c so that ω²_hourglass of a spring c ω would be critical.
-        let damping = match common.hourglass {
-            Hourglass::Viscous(part) if dt > 0.0 => mass * square.sqrt() * (part / (64.0 * dt)),
-            _ => Lanes::ZERO,
-        };
-        for i in 0..3 {
-            let q = turned[i] - (l[i][0] * place[0] + l[i][1] * place[1] + l[i][2] * place[2]);
-            turned[i] = q;
-        }
-        let kept = [state[8 + 3 * k], state[9 + 3 * k], state[10 + 3 * k]];
-        for i in 0..3 {
-            let r = &motion.rotation[i];
-            let before = r[0] * kept[0] + r[1] * kept[1] + r[2] * kept[2];
-            let now = before.plus_product::<FUSED>(stiffness, turned[i]);
-            state[8 + 3 * k + i] = now;
-            let force = now.plus_product::<FUSED>(damping, turned[i]);
-            out.energies[2] += ((before + now) * 0.5).plus_product::<FUSED>(damping, turned[i]) * turned[i];
-            for j in 0..3 {
-                t[i][j] = t[i][j] - force * place[j] * by;
-            }
-            for n in 0..N {
-                out.forces[n][i] = out.forces[n][i].plus_product::<FUSED>(force, Lanes::splat(shape[n]));
-            }
-        }
+        let resistance = resistance(common, dt, k, (geometry.volume * geometry.trace, mass * square.sqrt()));
+        let kept = &mut state[8 + 3 * k..11 + 3 * k];
+        resist::<N, FUSED>(
+            &S::HOURGLASS[k],
+            (x, du),
+            (&geometry, &motion.rotation),
+            resistance,
+            kept,
+            (&mut t, &mut out),
+        );
     }
     for n in 0..N {
         for i in 0..3 {
             for j in 0..3 {
-                out.forces[n][i] = out.forces[n][i].plus_product::<FUSED>(t[i][j], integrals[n][j]);
+                out.forces[n][i] = out.forces[n][i].plus_product::<FUSED>(t[i][j], geometry.integrals[n][j]);
             }
         }
     }
     out
+}
+
+/// Bulk viscosity, a pressure against the rate of volume, as a stress; and the stable increment that it leaves of 2/ω.
+#[inline(always)]
+fn bulk_viscosity(
+    common: &Common,
+    dt: f64,
+    (volume, mass): (Lanes, Lanes),
+    (opened, square): (Lanes, Lanes),
+) -> (Lanes, Lanes) {
+    let free = Lanes::splat(2.0) / square.sqrt();
+    let speed = (volume / mass * (common.flow.lambda + 2.0 * common.flow.mu)).sqrt();
+    let [linear, quadratic] = common.viscosity;
+    let (rate, density) = if dt > 0.0 { (opened * (1.0 / dt), mass / volume) } else { (Lanes::ZERO, Lanes::ZERO) };
+    let length = speed * free;
+    let closing = (-rate).max(Lanes::ZERO);
+    let fraction = Lanes::splat(linear) + closing * free * (quadratic * quadratic);
+    let viscous = density * speed * length * fraction * rate;
+    (viscous, free * ((fraction * fraction + Lanes::splat(1.0)).sqrt() - fraction))
 }
 
 /// At least the largest eigenvalue of a symmetric matrix (lower triangle): mean + √(2/3) · norm of the deviator, equal to it

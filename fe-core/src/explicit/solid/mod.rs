@@ -9,6 +9,8 @@ mod curve;
 #[allow(clippy::needless_range_loop)]
 mod flow;
 #[allow(clippy::needless_range_loop)]
+mod hourglass;
+#[allow(clippy::needless_range_loop)]
 mod kernel;
 #[allow(clippy::needless_range_loop)]
 mod shape;
@@ -20,8 +22,9 @@ use crate::structure::Structure;
 use chunk::Chunk;
 use fe_mesh::CellId;
 pub use flow::Flow;
+pub use hourglass::Hourglass;
+pub use kernel::Energies;
 use kernel::{Common, Outcome};
-pub use kernel::{Energies, Hourglass};
 use rayon::prelude::*;
 
 /// Elements of a chunk: their state fills half of a core's second cache.
