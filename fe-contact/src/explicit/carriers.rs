@@ -210,13 +210,20 @@ impl Carriers {
         }
     }
 
-    /// A stiffness and a viscosity between a node and the shares of others: adds |d_i| Σ |d_j| times them to the rows.
-    pub fn stiffen(&mut self, node: u32, shares: &[(u32, f64)], values: [f64; 2]) {
-        let moves = |i: u32| self.mass[i as usize] > 0.0;
-        let own = if moves(node) { 1.0 } else { 0.0 };
-        let all = own + shares.iter().filter(|s| moves(s.0)).map(|s| s.1).sum::<f64>();
-        for (i, share) in shares.iter().copied().chain([(node, 1.0)]) {
-            (0..2).for_each(|k| self.sums[i as usize][k] += share * all * values[k]);
+    /// Mass [M] that nodes have against each other whose distance moves by so much with each: 1/m = Σ d²/m_i; nodes without a
+    /// mass count as held.
+    pub fn mass_of(&self, row: &[(u32, f64)]) -> f64 {
+        let each = |&(node, d): &(u32, f64)| (d, self.mass[node as usize]);
+        let inverse: f64 = row.iter().map(each).filter(|(d, m)| *d != 0.0 && *m > 0.0).map(|(d, m)| d * d / m).sum();
+        if inverse > 0.0 { 1.0 / inverse } else { 0.0 }
+    }
+
+    /// A stiffness and a viscosity of a distance that moves by so much with each node: adds |d_i| Σ |d_j| times them to the rows.
+    pub fn stiffen(&mut self, row: &[(u32, f64)], values: [f64; 2]) {
+        let moves = |entry: &&(u32, f64)| self.mass[entry.0 as usize] > 0.0;
+        let all: f64 = row.iter().filter(moves).map(|entry| entry.1.abs()).sum();
+        for &(i, d) in row {
+            (0..2).for_each(|k| self.sums[i as usize][k] += d.abs() * all * values[k]);
         }
     }
 

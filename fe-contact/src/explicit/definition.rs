@@ -1,25 +1,13 @@
 //! What a contact pair of explicit steps is made of.
 
+use super::behaviour::Behaviour;
 use super::target::MainSurface;
-use crate::friction::Coulomb;
-use crate::law::NormalLaw;
-use crate::viscous::DampingAmount;
-use std::sync::Arc;
 
 /// The secondary side: each node with what the law's number is multiplied by, area [L²], length [L], or 1.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Secondary {
     /// Nodes and their measures.
     pub nodes: Vec<(u32, f64)>,
-}
-
-/// How surfaces answer in normal direction.
-#[derive(Clone, Debug)]
-pub enum Normal {
-    /// No overclosure wanted.
-    Hard,
-    /// A softened law.
-    Softened(Arc<dyn NormalLaw>),
 }
 
 /// How contact is enforced.
@@ -40,12 +28,8 @@ pub struct Definition {
     pub secondary: Secondary,
     /// Main side.
     pub main: MainSurface,
-    /// Normal behaviour.
-    pub normal: Normal,
+    /// What acts between them.
+    pub behaviour: Behaviour,
     /// Enforcement.
     pub enforcement: Enforcement,
-    /// Friction. It sticks on springs as stiff as those of hard contact, on its own where no element has given them a stiffness.
-    pub friction: Option<Coulomb>,
-    /// Damping across the surface of closed points; along it nothing is damped.
-    pub damping: Option<DampingAmount>,
 }

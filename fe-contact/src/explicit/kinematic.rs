@@ -4,8 +4,8 @@
 //! surface λ/Δt = m δ/Δt², the force that leaves no overclosure (Abaqus Analysis User's Manual, Contact constraint enforcement
 //! methods in Explicit). Points that share nodes are solved in turn (Gauss-Seidel), until nothing changes; action is reaction.
 
+use super::behaviour::Normal;
 use super::carriers::Carriers;
-use super::definition::Normal;
 use super::pair::{ContactPair, Point, open};
 use super::target::{Hit, Target};
 use crate::facet::Vec3;
@@ -91,7 +91,7 @@ impl ContactPair {
 
     pub(super) fn correct_kinematically(&mut self, at: &mut Predicted) {
         let mut hits = self.survey(at.u, at.v);
-        let reach = if let Normal::Softened(law) = &self.definition.normal { law.reach() } else { 0.0 };
+        let reach = if let Normal::Softened(law) = &self.definition.behaviour.normal { law.reach() } else { 0.0 };
         let deepest = hits.iter().map(|(_, hit)| reach - hit.gap).fold(0.0, f64::max);
         // The main side moves by no more than the deepest.
         hits.retain(|(_, hit)| deepest > 0.0 && hit.gap < reach + deepest);
@@ -109,7 +109,7 @@ impl ContactPair {
         let point = &self.points[place];
         let row = |direction: &Vec3| Row::new(self.row(point.index, &hit, direction), at);
         let normal = row(&hit.normal);
-        let along = match self.definition.friction {
+        let along = match self.definition.behaviour.friction {
             Some(_) => tangents(&hit.normal, self.space).iter().map(row).collect(),
             None => Vec::new(),
         };
@@ -138,13 +138,13 @@ impl ContactPair {
     fn solve(&self, point: &mut Closing, at: &mut Predicted) -> f64 {
         let growth = point.normal.compliance * at.dt;
         let gap = point.hit.gap + (point.normal.rate(at) - point.normal.rate) * at.dt - growth * point.normal.impulse;
-        let impulse = match &self.definition.normal {
+        let impulse = match &self.definition.behaviour.normal {
             Normal::Softened(law) => softened(law.as_ref(), gap, growth, point.measure * at.mean),
             Normal::Hard if growth > 0.0 => (-gap / growth).max(0.0),
             Normal::Hard => 0.0,
         };
         let mut change = point.normal.change(impulse, at);
-        let Some(friction) = &self.definition.friction else { return change };
+        let Some(friction) = &self.definition.behaviour.friction else { return change };
         let growth = point.along.iter().map(|row| row.compliance).fold(0.0, f64::max) * at.dt;
         if growth == 0.0 {
             return change;

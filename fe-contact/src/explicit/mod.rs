@@ -1,5 +1,6 @@
 //! Contact in explicit steps: where surfaces are is found anew in every increment, and the laws are those of static steps.
 
+mod behaviour;
 mod carriers;
 mod definition;
 mod kinematic;
@@ -7,8 +8,9 @@ mod pair;
 mod penalty;
 mod target;
 
+pub use behaviour::{Behaviour, Normal};
 pub use carriers::RigidFollower;
-pub use definition::{Definition, Enforcement, Normal, Secondary};
+pub use definition::{Definition, Enforcement, Secondary};
 pub use pair::{ContactPair, PointState};
 pub use target::MainSurface;
 

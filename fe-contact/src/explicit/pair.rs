@@ -1,7 +1,8 @@
 //! A contact pair: its points, what is known of them, and who answers for it.
 
+use super::behaviour::Normal;
 use super::carriers::{Carriers, RigidFollower};
-use super::definition::{Definition, Enforcement, Normal};
+use super::definition::{Definition, Enforcement};
 use super::target::{Faces, MainSurface, Target};
 use crate::facet::Vec3;
 use crate::point::ContactStatus;
@@ -123,7 +124,7 @@ impl ContactPair {
 
     /// How many secondary nodes it has, and what acts at them.
     pub fn in_words(&self) -> (usize, String) {
-        let normal = match &self.definition.normal {
+        let normal = match &self.definition.behaviour.normal {
             Normal::Softened(_) => "softened law".to_owned(),
             Normal::Hard if self.definition.enforcement == Enforcement::Kinematic => "hard".to_owned(),
             Normal::Hard => {
@@ -131,8 +132,8 @@ impl ContactPair {
                 format!("hard, penalty up to {largest:.6e} F/L a node")
             }
         };
-        let friction = if self.definition.friction.is_some() { ", friction" } else { "" };
-        let damping = match self.definition.damping {
+        let friction = if self.definition.behaviour.friction.is_some() { ", friction" } else { "" };
+        let damping = match self.definition.behaviour.damping {
             Some(DampingAmount::CriticalFraction(part)) if part > 0.0 => format!(", damping {part} of critical"),
             Some(DampingAmount::Coefficient(value)) if value > 0.0 => format!(", damping {value:.6e}"),
             _ => String::new(),

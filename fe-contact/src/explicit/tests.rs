@@ -59,10 +59,8 @@ fn definition(nodes: &[u32], main: MainSurface, law: Arc<dyn NormalLaw>) -> Defi
         name: "S on M".into(),
         secondary: Secondary { nodes: nodes.iter().map(|&n| (n, 1.0)).collect() },
         main,
-        normal: Normal::Softened(law),
+        behaviour: Behaviour { normal: Normal::Softened(law), friction: None, damping: None },
         enforcement: Enforcement::Penalty(1.0),
-        friction: None,
-        damping: None,
     }
 }
 
@@ -175,7 +173,9 @@ fn friction_holds_or_slides() {
         let law = Arc::new(Linear { slope: 1e5, clearance: 0.0 });
         let limit = Some((Coefficient::Constant(mu), None));
         let friction = Some(Coulomb { limit, spring: Spring::Stiffness(1e6) });
-        let mut scene = Scene::new(&structure, Definition { friction, ..definition(&[0], floor(1), law) }, &[1], &[]);
+        let mut definition = definition(&[0], floor(1), law);
+        definition.behaviour.friction = friction;
+        let mut scene = Scene::new(&structure, definition, &[1], &[]);
         let (x, z) = (scene.at(0, 0), scene.at(0, 2));
         let dt = 1e-5;
         for _ in 0..20_000 {
@@ -210,8 +210,9 @@ fn b10_damped_contact_without_tension() {
         let structure = masses(&[([0.0; 3], m), ([0.0, 0.0, -1.0], 0.0)]);
         let law = Arc::new(Linear { slope: k, clearance: 0.0 });
         let damping = Some(DampingAmount::CriticalFraction(zeta));
-        let mut scene =
-            Scene::new(&structure, Definition { damping, ..definition(&[0], floor(1), law) }, &[1], &[(0, 2, -v)]);
+        let mut definition = definition(&[0], floor(1), law);
+        definition.behaviour.damping = damping;
+        let mut scene = Scene::new(&structure, definition, &[1], &[(0, 2, -v)]);
         let (z, dt) = (scene.at(0, 2), 1e-4);
         (0..50_000).for_each(|_| scene.advance(dt));
         // The damping force is that of half an increment before: ζ ωΔt; and touching is found within an increment, in which

@@ -2,7 +2,9 @@
 
 use super::scene::Scene;
 use crate::job::JobFailure;
-use fe_contact::explicit::{ContactPair, Definition, Enforcement, MainSurface, Normal, RigidFollower, Secondary};
+use fe_contact::explicit::{
+    Behaviour, ContactPair, Definition, Enforcement, MainSurface, Normal, RigidFollower, Secondary,
+};
 use fe_contact::facet::{Facet, Vec3};
 use fe_contact::friction::{Coulomb, Friction, Spring};
 use fe_contact::interaction::{Interaction, NormalBehavior};
@@ -109,11 +111,20 @@ fn definition(
     interaction: Option<&Interaction>,
     enforcement: Enforcement,
 ) -> Definition {
+    let mut behaviour = behaviour(interaction);
+    if enforcement == Enforcement::Kinematic {
+        behaviour.damping = None;
+    }
+    Definition { name, secondary, main, behaviour, enforcement }
+}
+
+/// What an interaction says; without one contact is hard and slides freely.
+fn behaviour(interaction: Option<&Interaction>) -> Behaviour {
     let normal = match interaction.map(|i| &i.normal) {
         Some(NormalBehavior::Softened(law)) => Normal::Softened(law.clone()),
         Some(NormalBehavior::Hard(_)) | None => Normal::Hard,
     };
-    let damping = interaction.and_then(|i| i.explicit_damping).unwrap_or_default().amount;
+    let damping = Some(interaction.and_then(|i| i.explicit_damping).unwrap_or_default().amount);
     let spring = Spring::Stiffness(if let Normal::Softened(law) = &normal { law.typical_stiffness() } else { 1.0 });
     let friction = interaction.and_then(|i| i.friction.as_ref()).map(|friction| match friction {
         Friction::Coulomb { coefficient, largest, .. } => {
@@ -121,15 +132,7 @@ fn definition(
         }
         Friction::Rough => Coulomb { limit: None, spring },
     });
-    Definition {
-        name,
-        secondary,
-        main,
-        normal,
-        enforcement,
-        friction,
-        damping: (enforcement != Enforcement::Kinematic).then_some(damping),
-    }
+    Behaviour { normal, friction, damping }
 }
 
 fn is_without(damping: DampingAmount) -> bool {

@@ -42,7 +42,8 @@ fn bar_on_wall(n: u32) -> Scene {
 
 fn hard(nodes: &[u32], main: MainSurface, enforcement: Enforcement) -> Definition {
     let law = Arc::new(Linear { slope: 1.0, clearance: 0.0 });
-    Definition { normal: Normal::Hard, enforcement, ..definition(nodes, main, law) }
+    let behaviour = Behaviour { normal: Normal::Hard, friction: None, damping: None };
+    Definition { behaviour, enforcement, ..definition(nodes, main, law) }
 }
 
 fn energy(scene: &Scene) -> f64 {
@@ -172,7 +173,8 @@ fn friction_holds_or_slides() {
     for push in [3.0, 12.0] {
         let structure = masses(&[([0.0; 3], m), ([0.0, 0.0, -1.0], 0.0)]);
         let friction = Some(Coulomb { limit: Some((Coefficient::Constant(mu), None)), spring: Spring::Stiffness(1.0) });
-        let definition = Definition { friction, ..hard(&[0], floor(1), Enforcement::Kinematic) };
+        let mut definition = hard(&[0], floor(1), Enforcement::Kinematic);
+        definition.behaviour.friction = friction;
         let mut scene = Scene::new(&structure, definition, &[1], &[]);
         let (x, z) = (scene.at(0, 0), scene.at(0, 2));
         for _ in 0..steps {
