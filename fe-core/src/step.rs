@@ -39,22 +39,11 @@ pub struct Explicit {
     pub largest: Option<f64>,
     /// Linear and quadratic bulk viscosity [-].
     pub bulk_viscosity: [f64; 2],
-    /// `*STEP, NLGEOM=`.
-    pub displacements: Displacements,
 }
 
 impl Explicit {
     /// Linear and quadratic bulk viscosity unless a deck says otherwise: Abaqus Keywords Reference, *BULK VISCOSITY.
     pub const BULK_VISCOSITY: [f64; 2] = [0.06, 1.2];
-}
-
-/// Whether a step follows the change of geometry. Explicit steps do unless the deck says `NLGEOM=NO`.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Displacements {
-    /// The geometry stays that of the mesh.
-    Small,
-    /// Forces are those of the current geometry.
-    Large,
 }
 
 /// Where the size of an explicit increment comes from.

@@ -134,7 +134,7 @@ pub struct Output {
 /// When something is stored.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Frames {
-    /// Every so many increments; never for 0.
+    /// Every so many increments; for 0 the last one alone.
     Increments(usize),
     /// At the ends of so many equal parts of a step: with the increment that reaches them.
     Parts(usize),
@@ -146,6 +146,9 @@ impl Frames {
     /// Frames of an explicit step unless the deck says otherwise: Abaqus Analysis User's Manual, Output to the output
     /// database.
     pub const EXPLICIT: Frames = Frames::Parts(20);
+
+    /// Nothing but the last increment of a step.
+    pub const LAST: Frames = Frames::Increments(0);
 
     /// True when the increment of this number, from 1, is stored that goes from one step time to another in a step of a
     /// period [T].
@@ -171,8 +174,8 @@ pub struct Table {
     pub quantity: Quantity,
     /// Name of the set, capitals; empty for contact tables.
     pub set: String,
-    /// Every how many increments; the last one of a step always.
-    pub frequency: usize,
+    /// When it is printed; with the last increment of a step always.
+    pub when: Frames,
     /// `TOTALS=`.
     pub totals: Totals,
 }

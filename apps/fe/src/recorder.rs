@@ -10,7 +10,7 @@ use fe_core::increment::Attempt;
 use fe_core::procedure::Converged;
 use fe_core::structure::Structure;
 use fe_io::Model;
-use fe_io::model::Step;
+use fe_io::model::{Frames, Step};
 use fe_io::results::fields::{FIELDS, requested};
 use fe_io::results::history::CERTIFICATE;
 use fe_io::results::{self, FieldInfo, Grid, GridBlock, HistoryInfo, HistoryRow, JobInfo, ResultsError, ResultsFile};
@@ -108,11 +108,10 @@ impl Recorder {
     /// A converged increment: its histories, its frame where the step asks for one, its tables.
     pub fn increment(&mut self, terms: &Terms, step: &Step, now: &Increment) -> Result<(), ResultsError> {
         let start = Instant::now();
-        let last = now.attempt.step_time >= step.procedure.period();
-        let due = |frequency: usize| last || (frequency > 0 && now.attempt.increment.is_multiple_of(frequency));
         let times = [now.attempt.step_time - now.attempt.dt, now.attempt.step_time];
-        let stored = step.output.frames.hold(now.attempt.increment, times, step.procedure.period());
-        let tables: Vec<_> = step.output.tables.iter().filter(|table| due(table.frequency)).collect();
+        let due = |when: &Frames| when.hold(now.attempt.increment, times, step.procedure.period());
+        let stored = due(&step.output.frames);
+        let tables: Vec<_> = step.output.tables.iter().filter(|table| due(&table.when)).collect();
         let recover = stored && self.file.fields().iter().any(needs_recovery)
             || tables.iter().any(|t| printed::needs_recovery(t));
         let recovered = recover.then(|| Recovered::at(terms, &now.at.u));

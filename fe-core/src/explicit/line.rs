@@ -37,6 +37,8 @@ struct Element {
     mass: f64,
     /// Length or elongation [L] at the end of the last increment.
     now: f64,
+    /// Force [F] of dashpot or bulk viscosity then.
+    viscous: f64,
 }
 
 /// All trusses, springs, dashpots and masses of a scene.
@@ -50,6 +52,7 @@ pub struct Lines {
     /// Largest sums of stiffness and of viscosity over mass of a node [1/T², 1/T].
     rates: [f64; 2],
     stored: f64,
+    dissipated: f64,
 }
 
 impl Lines {
@@ -70,7 +73,7 @@ impl Lines {
             for &cell in &section.cells {
                 let (reach, length) = line(cell);
                 let (answer, mass) = (Answer::Truss(section.young * area), 0.5 * density * area * length);
-                elements.push(Element { cell, answer, reach, length, mass, now: length });
+                elements.push(Element { cell, answer, reach, length, mass, now: length, viscous: 0.0 });
             }
         }
         for section in &structure.discrete {
@@ -97,10 +100,20 @@ impl Lines {
                     _ => Answer::Dashpot(section.magnitude),
                 };
                 let now = if matches!(reach, Reach::Line { .. }) { length } else { 0.0 };
-                elements.push(Element { cell, answer, reach, length, mass: 0.0, now });
+                elements.push(Element { cell, answer, reach, length, mass: 0.0, now, viscous: 0.0 });
             }
         }
-        Lines { elements, masses, viscosity, rates: [0.0; 2], stored: 0.0 }
+        Lines { elements, masses, viscosity, rates: [0.0; 2], stored: 0.0, dissipated: 0.0 }
+    }
+
+    /// From now on with another linear bulk viscosity [-].
+    pub fn damp(&mut self, viscosity: f64) {
+        self.viscosity = viscosity;
+    }
+
+    /// Energy [F L] that springs and trusses hold, and that dashpots and bulk viscosity have dissipated.
+    pub fn energies(&self) -> [f64; 2] {
+        [self.stored, self.dissipated]
     }
 
     /// True where there are none.
@@ -173,7 +186,7 @@ impl ExplicitTerm for Lines {
             }
             let rate = if at.dt > 0.0 { (now - before) / at.dt } else { 0.0 };
             let l0 = element.length;
-            let (force, stored) = match element.answer {
+            let (elastic, stored, viscous) = match element.answer {
                 Answer::Truss(ea) => {
                     let of = |l: f64| (l / l0).ln();
                     let stable = now * (2.0 * element.mass / (ea * l0)).sqrt();
@@ -185,15 +198,19 @@ impl ExplicitTerm for Lines {
                     // Bulk viscosity b ρ c A l̇.
                     let viscous = xi * (2.0 * element.mass * ea / l0).sqrt() * rate;
                     let energy = 0.5 * ea * l0 * (of(now).powi(2) - of(before).powi(2));
-                    (ea * l0 / now * of(now) + viscous, energy + viscous * (now - before))
+                    (ea * l0 / now * of(now), energy, viscous)
                 }
                 Answer::Spring(k) => {
                     let rest = if matches!(element.reach, Reach::Line { .. }) { l0 } else { 0.0 };
-                    (k * (now - rest), 0.5 * k * (now - before) * (now + before - 2.0 * rest))
+                    (k * (now - rest), 0.5 * k * (now - before) * (now + before - 2.0 * rest), 0.0)
                 }
-                Answer::Dashpot(c) => (c * rate, c * rate * (now - before)),
+                Answer::Dashpot(c) => (0.0, 0.0, c * rate),
             };
+            let force = elastic + viscous;
             self.stored += stored;
+            // What central differences lose to a force is half of it before and half of it now, times the way.
+            self.dissipated += 0.5 * (element.viscous + viscous) * (now - before);
+            element.viscous = viscous;
             element.now = now;
             match &element.reach {
                 Reach::Line { ends: [a, b], directions, .. } => {
@@ -213,7 +230,7 @@ impl ExplicitTerm for Lines {
     }
 
     fn stored(&self) -> f64 {
-        self.stored
+        self.stored + self.dissipated
     }
 }
 

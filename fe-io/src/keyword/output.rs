@@ -72,8 +72,15 @@ const fn fields(name: &'static str, summary: &'static str, keys: &'static [DataL
     }
 }
 
-const NODE: &[DataLine] = &[DataLine::many(&[Field::word("field", "U displacements, RF reactions").repeats()])];
-const ELEMENT: &[DataLine] = &[DataLine::many(&[Field::word("field", "S stresses, E strains").repeats()])];
+const NODE: &[DataLine] =
+    &[DataLine::many(&[
+        Field::word("field", "U displacements, RF reactions, in explicit steps V velocities").repeats()
+    ])];
+const ELEMENT: &[DataLine] = &[DataLine::many(&[Field::word(
+    "field",
+    "S stresses, MISES, E strains, of lines SF and SM; in explicit steps S, MISES, PEEQ",
+)
+.repeats()])];
 const CONTACT: &[DataLine] =
     &[DataLine::many(&[
         Field::word("field", "CSTRESS pressure and shear, CDISP gap and slip, CSTATUS, CFORCE").repeats()

@@ -1,7 +1,10 @@
 use super::{Choice, Data, DataLine, Field, Keyword, Kind, Level, Parameter};
 
-const FREQUENCY: Parameter =
-    Parameter::of("FREQUENCY", Kind::Whole, "every how many increments, and the last of a step; 0 for never");
+const FREQUENCY: Parameter = Parameter::of(
+    "FREQUENCY",
+    Kind::Whole,
+    "every how many increments, and the last of a step (explicit: without it the last alone); 0 for never",
+);
 const TOTALS: Parameter = Parameter::choice(
     "TOTALS",
     &[Choice::there("NO"), Choice::there("YES"), Choice::there("ONLY")],
@@ -66,7 +69,7 @@ pub const EL_PRINT: Keyword = Keyword {
         LOCAL,
         OFTEN,
     ],
-    data: Data::Lines(&[DataLine::many(&[Field::word("key", "S stresses, E strains").repeats()])]),
+    data: Data::Lines(&[DataLine::many(&[Field::word("key", "S stresses, in static steps E strains").repeats()])]),
     source: "Abaqus Keywords Reference, *EL PRINT; layout of the tables as CalculiX",
 };
 

@@ -10,7 +10,7 @@ pub const STEP: Keyword = Keyword {
         Parameter::of(
             "NLGEOM",
             Kind::OptionalChoice(&[Choice::there("YES"), Choice::there("NO")]),
-            "NO (default of static steps, where there is no other yet): displacements are small; YES (default of explicit steps): the geometry follows them",
+            "NO (static steps, where there is no other yet): displacements are small; YES (explicit steps): the geometry follows them",
         ),
         Parameter::choice(
             "CONVERT SDI",

@@ -31,6 +31,19 @@ pub fn one_line<'a>(entry: &Entry<'a>, deck: &'a Deck, diagnostics: &mut Diagnos
     row.sound.then_some(row)
 }
 
+/// The data lines of a card that sets something; none are needed where `OP=NEW` takes away what there was.
+pub fn set_or_taken_away<I: Iterator>(
+    lines: I,
+    entry: &Entry<'_>,
+    (missing, help): (&str, &str),
+    diagnostics: &mut Diagnostics,
+) -> Peekable<I> {
+    match entry.says("OP", "NEW") {
+        true => lines.peekable(),
+        false => at_least_one(lines, entry, (missing, help), diagnostics),
+    }
+}
+
 /// The data lines of a card that needs some; where there are none, what is missing and what to add is told.
 pub fn at_least_one<I: Iterator>(
     lines: I,

@@ -1,7 +1,7 @@
 //! `*CLOAD`, `*DLOAD` and `*DSLOAD`.
 
 use super::amplitudes::Amplitudes;
-use super::lines::line_fields;
+use super::lines::{line_fields, set_or_taken_away};
 use super::pairs::faces_of;
 use super::rigid::unit;
 use super::scene::Scene;
@@ -17,7 +17,9 @@ use fe_mesh::{CellId, Face};
 pub fn read(entry: &Entry<'_>, scene: &Scene<'_>, amplitudes: &Amplitudes, diagnostics: &mut Diagnostics) -> Vec<Load> {
     let amplitude = amplitudes.of(entry, diagnostics);
     let mut loads = Vec::new();
-    for line in scene.deck.lines(entry.card) {
+    let words = ("this card loads nothing", "add a line, or say `OP=NEW` to take away earlier loads");
+    let lines = set_or_taken_away(scene.deck.lines(entry.card), entry, words, diagnostics);
+    for line in lines {
         let read = match entry.keyword.name {
             "CLOAD" => nodal(entry, line, scene, diagnostics),
             "DSLOAD" => on_surface(entry, line, scene, diagnostics),

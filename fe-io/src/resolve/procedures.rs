@@ -7,7 +7,7 @@ use crate::deck::number::number;
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::keyword::check::Entry;
 use crate::keyword::row::Row;
-use fe_core::step::{Displacements, Explicit, IncrementChoice};
+use fe_core::step::{Explicit, IncrementChoice};
 
 /// The kind of steps that a deck has: explicit where any step is.
 pub fn analysis(entries: &[Entry<'_>]) -> Analysis {
@@ -38,17 +38,19 @@ pub fn explicit(entry: &Entry<'_>, step: &Entry<'_>, deck: &Deck, diagnostics: &
     if entry.has("DIRECT USER CONTROL") {
         without_effect(entry, &row, diagnostics);
     }
+    if let Some(small) = step.parameter("NLGEOM").filter(|_| step.says("NLGEOM", "NO")) {
+        let fault = Diagnostic::error(small.span, "`NLGEOM=NO` of `*STEP` is not there in explicit steps");
+        diagnostics.push(fault.help("forces are those of the current geometry: leave it out"));
+    }
     if diagnostics.faults() > before {
         return None;
     }
-    let displacements = if step.says("NLGEOM", "NO") { Displacements::Small } else { Displacements::Large };
     Some(Explicit {
         period: row.number(1)?,
         increment: increment?,
         scale,
         largest: row.number(3).filter(|_| !entry.has("DIRECT USER CONTROL")),
         bulk_viscosity: Explicit::BULK_VISCOSITY,
-        displacements,
     })
 }
 

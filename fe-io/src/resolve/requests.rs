@@ -90,7 +90,7 @@ impl Requests {
             self.chosen = false;
             self.frames = None;
         }
-        self.common(entry, KINDS);
+        self.common(entry, KINDS, scene.analysis);
         self.intervals(entry, scene, diagnostics);
         self.preselected = entry.has("VARIABLE");
     }
@@ -119,13 +119,13 @@ impl Requests {
     }
 
     /// `FREQUENCY` and `VARIABLE`: all fields of some kinds of cards.
-    fn common(&mut self, entry: &Entry<'_>, kinds: &[&'static str]) {
+    fn common(&mut self, entry: &Entry<'_>, kinds: &[&'static str], analysis: Analysis) {
         if let Some(every) = entry.whole("FREQUENCY") {
             self.frames = Some(Frames::Increments(every as usize));
         }
         if entry.has("VARIABLE") {
             for &kind in kinds {
-                self.fields.insert(kind, known_fields(kind).iter().map(|f| (*f).to_owned()).collect());
+                self.fields.insert(kind, known_fields(kind, analysis).iter().map(|f| (*f).to_owned()).collect());
             }
             self.chosen = true;
         }
@@ -143,18 +143,19 @@ impl Requests {
         if self.first(kind) && !self.preselected {
             self.fields.remove(kind);
         }
-        self.common(entry, &[kind]);
+        self.common(entry, &[kind], scene.analysis);
+        let known = known_fields(kind, scene.analysis);
         for token in scene.deck.lines(entry.card).flat_map(|line| line.tokens()).filter(|t| !t.text.is_empty()) {
             let word = normalized(token.text);
             let word = full_name(&word);
-            if known_fields(kind).contains(&word) {
+            if known.contains(&word) {
                 let fields = self.fields.entry(kind).or_default();
                 if !fields.iter().any(|field| field == word) {
                     fields.push(word.to_owned());
                 }
                 self.chosen = true;
             } else {
-                diagnostics.push(unknown_key(token, word, entry, known_fields(kind)));
+                diagnostics.push(unknown_key(token, word, entry, known));
             }
         }
     }
@@ -163,7 +164,7 @@ impl Requests {
     pub fn in_force(&self, analysis: Analysis) -> Output {
         let mut tables: Vec<(usize, Table)> = self.tables.values().flatten().cloned().collect();
         tables.sort_by_key(|(turn, _)| *turn);
-        let tables = tables.into_iter().map(|(_, table)| table).filter(|table| table.frequency > 0).collect();
+        let tables = tables.into_iter().map(|(_, table)| table).collect();
         let fields =
             self.chosen.then(|| KINDS.iter().filter_map(|kind| self.fields.get(kind)).flatten().cloned().collect());
         let usual = if analysis == Analysis::Explicit { Frames::EXPLICIT } else { Frames::Increments(1) };
@@ -175,10 +176,12 @@ impl Requests {
 const KINDS: &[&str] = &["NODE", "ELEMENT", "CONTACT"];
 
 /// Fields of the results file by the kind of card that asks for them.
-fn known_fields(kind: &str) -> &'static [&'static str] {
-    match kind {
-        "NODE" => &["U", "RF"],
-        "ELEMENT" => &["S", "E", "MISES", "SF", "SM"],
+fn known_fields(kind: &str, analysis: Analysis) -> &'static [&'static str] {
+    match (kind, analysis) {
+        ("NODE", Analysis::Static) => &["U", "RF"],
+        ("NODE", Analysis::Explicit) => &["U", "V", "RF"],
+        ("ELEMENT", Analysis::Static) => &["S", "E", "MISES", "SF", "SM"],
+        ("ELEMENT", Analysis::Explicit) => &["S", "MISES", "PEEQ"],
         _ => &["CSTRESS", "CDISP", "CSTATUS", "CFORCE"],
     }
 }
@@ -194,10 +197,11 @@ fn full_name(word: &str) -> &str {
 
 /// Keys that decks know and this program does not.
 const NOT_YET: &[&str] = &[
-    "V", "A", "NT", "NT11", "RFL", "RFL11", "TSF", "TF", "RM", "UR", "UT", "COORD", "POR", "PEEQ", "PE", "LE", "EE",
-    "NE", "ME", "THE", "SDV", "ENER", "EVOL", "ELSE", "ELKE", "EMAS", "EBHE", "SENER", "HFL", "SINV", "SP", "EP",
-    "PEMAG", "PEQC", "CELS", "CNUM", "CAREA", "CNAREA", "CDSTRESS", "PCON", "PHS", "MAXE", "ZZS", "ERR", "KEQ", "CFT",
-    "CM", "CMN", "CMS", "CMT", "XN", "XS", "XT", "CTRQ", "SOF", "SOM", "SOAREA", "STATUS", "VOLC", "SDEG", "ZZSERR",
+    "V", "A", "E", "SF", "SM", "NT", "NT11", "RFL", "RFL11", "TSF", "TF", "RM", "UR", "UT", "COORD", "POR", "PEEQ",
+    "PE", "LE", "EE", "NE", "ME", "THE", "SDV", "ENER", "EVOL", "ELSE", "ELKE", "EMAS", "EBHE", "SENER", "HFL", "SINV",
+    "SP", "EP", "PEMAG", "PEQC", "CELS", "CNUM", "CAREA", "CNAREA", "CDSTRESS", "PCON", "PHS", "MAXE", "ZZS", "ERR",
+    "KEQ", "CFT", "CM", "CMN", "CMS", "CMT", "XN", "XS", "XT", "CTRQ", "SOF", "SOM", "SOAREA", "STATUS", "VOLC",
+    "SDEG", "ZZSERR",
 ];
 
 fn unknown_key(token: Token<'_>, word: &str, entry: &Entry<'_>, known: &[&str]) -> Diagnostic {
@@ -236,12 +240,18 @@ fn tables_of(
     let known: &[&str] = match star {
         "NODE PRINT" if scene.analysis == Analysis::Explicit => &["U", "V", "RF"],
         "NODE PRINT" => &["U", "RF"],
+        "EL PRINT" if scene.analysis == Analysis::Explicit => &["S"],
         "EL PRINT" => &["S", "E"],
         _ => &["CSTRESS", "CDISP", "CF", "CFN", "CFS"],
     };
     let Some(set) = set_name(entry, scene, diagnostics) else { return Vec::new() };
     let pair = which_pair::of_parameters(entry, pairs, scene, diagnostics);
-    let frequency = entry.whole("FREQUENCY").map_or(1, |n| n as usize);
+    // Explicit steps have too many increments for a table of each.
+    let usual = if scene.analysis == Analysis::Explicit { Frames::LAST } else { Frames::Increments(1) };
+    let when = entry.whole("FREQUENCY").map_or(usual, |n| Frames::Increments(n as usize));
+    if entry.whole("FREQUENCY") == Some(0) {
+        return Vec::new();
+    }
     let totals = match entry.name("TOTALS").as_deref() {
         Some("YES") => Totals::Yes,
         Some("ONLY") => Totals::Only,
@@ -257,7 +267,7 @@ fn tables_of(
             continue;
         };
         let totals = if quantity == Quantity::Reaction { totals } else { Totals::No };
-        tables.push(Table { quantity, set: set.clone(), frequency, totals });
+        tables.push(Table { quantity, set: set.clone(), when, totals });
     }
     if !tables.is_empty() {
         without_effect(entry, &tables, diagnostics);

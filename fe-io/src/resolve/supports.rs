@@ -1,7 +1,7 @@
 //! `*BOUNDARY`.
 
 use super::amplitudes::Amplitudes;
-use super::lines::line_fields;
+use super::lines::{line_fields, set_or_taken_away};
 use super::scene::{Analysis, Scene};
 use crate::deck::card::{Token, normalized};
 use crate::deck::number::whole;
@@ -58,7 +58,8 @@ impl Supports {
     ) {
         let amplitude = amplitudes.of(entry, diagnostics);
         let Some(prescribed) = prescribed(entry, scene, diagnostics) else { return };
-        for line in scene.deck.lines(entry.card) {
+        let words = ("this card holds nothing", "add a line, or say `OP=NEW` to take away earlier supports");
+        for line in set_or_taken_away(scene.deck.lines(entry.card), entry, words, diagnostics) {
             let Some(line) = read_line(entry, line, diagnostics) else { continue };
             if entry.step.is_none() && line.value != 0.0 {
                 let fault = Diagnostic::error(line.at, "outside steps all prescribed values are zero");

@@ -15,7 +15,7 @@ use fe_core::explicit::central_difference::{CentralDifference, State, Support};
 use fe_core::procedure::Converged;
 use fe_core::step::{Explicit, IncrementChoice, Procedure};
 use fe_io::Model;
-use fe_io::model::Step;
+use fe_io::model::{Frames, Step};
 use record::Record;
 pub use record::{Balance, Frame};
 use scene::Scene;
@@ -151,7 +151,7 @@ impl Run<'_> {
         let Begun { mut procedure, fixed, plan } = begin((number, step), course, self.scene, self.state)?;
         observer.event(Event::Step { number, plan: &plan, period: explicit.period });
         if number == 1 {
-            self.record.frame(self.scene, (self.state, &procedure, &fixed), (0, 0), &step.output, true)?;
+            self.record.frame((self.scene, self.state, &procedure, &fixed), (0, 0))?;
         }
         let mut increment = 0;
         let mut last = self.state.dt;
@@ -176,10 +176,14 @@ impl Run<'_> {
             }
             increment += 1;
             self.certificate.increments += 1;
-            let due = step.output.frames.hold(increment, [before, self.state.step_time], explicit.period);
-            if due {
-                let at = (&*self.state, &procedure, fixed.as_slice());
-                let balance = self.record.frame(self.scene, at, (number, increment), &step.output, ends)?;
+            let due = |when: &Frames| when.hold(increment, [before, self.state.step_time], explicit.period);
+            let at = (&*self.scene, &*self.state, &procedure, fixed.as_slice());
+            let tables: Vec<_> = step.output.tables.iter().filter(|table| due(&table.when)).collect();
+            if !tables.is_empty() {
+                self.record.print(at, &tables)?;
+            }
+            if due(&step.output.frames) {
+                let balance = self.record.frame(at, (number, increment))?;
                 self.certificate.explicit = Some(balance);
                 let frame = Frame { step: number, increment, step_time: self.state.step_time, dt, balance };
                 observer.event(Event::Frame(&frame));

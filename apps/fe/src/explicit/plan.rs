@@ -6,7 +6,7 @@ use crate::number::scientific;
 use crate::plan::Plan;
 use fe_core::element::Family;
 use fe_core::explicit::Advance;
-use fe_core::step::{Displacements, Explicit, IncrementChoice};
+use fe_core::step::{Explicit, IncrementChoice};
 use fe_io::model::Step;
 
 /// The plan of a step with so many prescribed freedoms, of whose first increment its terms say what `advance` holds.
@@ -56,10 +56,6 @@ fn in_words(step: &Explicit) -> String {
             format!("increments of {:.3} of the stable one, element by element", step.scale)
         }
     };
-    let geometry = match step.displacements {
-        Displacements::Large => "",
-        Displacements::Small => "; NLGEOM=NO is not there: displacements are large",
-    };
     let [linear, quadratic] = step.bulk_viscosity;
-    format!("central differences for {}, {increments}; bulk viscosity {linear}, {quadratic}{geometry}", step.period)
+    format!("central differences for {}, {increments}; bulk viscosity {linear}, {quadratic}", step.period)
 }

@@ -8,7 +8,7 @@ use fe_core::explicit::ExplicitTerm;
 use fe_core::explicit::central_difference::{CentralDifference, State};
 use fe_core::explicit::solid::PointState;
 use fe_io::Model;
-use fe_io::model::{Output, Quantity, Table};
+use fe_io::model::{Quantity, Table};
 use fe_io::results::fields::{FIELDS, requested};
 use fe_io::results::table::{ElementRow, Tables};
 use fe_io::results::{self, FieldInfo, HistoryInfo, HistoryRow, Location, ResultsError, ResultsFile};
@@ -28,7 +28,7 @@ pub struct Balance {
     pub plastic: f64,
     /// ALLAE: taken by the resistance to hourglass motion.
     pub artificial: f64,
-    /// ALLVD: dissipated by bulk viscosity.
+    /// ALLVD: dissipated by bulk viscosity and dashpots.
     pub viscous: f64,
     /// Taken by contact: stored by penalties and laws, dissipated by friction and damping.
     pub contact: f64,
@@ -74,6 +74,9 @@ pub struct Frame {
 const ENERGIES: &str = "Energies";
 const COLUMNS: [&str; 9] = ["ALLKE", "ALLSE", "ALLPD", "ALLAE", "ALLVD", "CONTACT", "ALLWK", "ETOTAL", "increment"];
 
+/// What a moment is made of: scene, state, procedure, prescribed freedoms.
+pub type Moment<'a> = (&'a Scene, &'a State, &'a CentralDifference, &'a [bool]);
+
 /// The files of a job.
 pub struct Record {
     file: ResultsFile,
@@ -107,14 +110,11 @@ impl Record {
         self.seconds
     }
 
-    /// Stores a frame, and prints the tables at the end of a step.
+    /// Stores a frame.
     pub fn frame(
         &mut self,
-        scene: &Scene,
-        (state, procedure, fixed): (&State, &CentralDifference, &[bool]),
+        (scene, state, procedure, fixed): Moment,
         (step, increment): (usize, usize),
-        output: &Output,
-        ends: bool,
     ) -> Result<Balance, ResultsError> {
         let start = Instant::now();
         let balance = self.balance(scene, state, procedure);
@@ -125,23 +125,30 @@ impl Record {
         let row = [kinetic, strain, plastic, artificial, viscous, contact, work, balance.total(), state.dt];
         let rows = [HistoryRow { name: ENERGIES, values: &row }];
         self.file.append(&results::Frame { time: state.total_time, step, increment, fields: &fields }, &rows)?;
-        if ends && step > 0 {
-            for table in &output.tables {
-                source.print(table, &mut self.tables)?;
-            }
-            self.tables.flush()?;
-        }
         self.seconds += start.elapsed().as_secs_f64();
         Ok(balance)
     }
 
+    /// Prints tables.
+    pub fn print(&mut self, (scene, state, procedure, fixed): Moment, tables: &[&Table]) -> Result<(), ResultsError> {
+        let start = Instant::now();
+        let source = Source { scene, state, fixed, velocity: procedure.velocity(state), states: states(scene) };
+        for table in tables {
+            source.print(table, &mut self.tables)?;
+        }
+        self.tables.flush()?;
+        self.seconds += start.elapsed().as_secs_f64();
+        Ok(())
+    }
+
     fn balance(&mut self, scene: &Scene, state: &State, procedure: &CentralDifference) -> Balance {
         let solids = scene.solids.as_ref().map(|solids| solids.energies()).unwrap_or_default();
-        let lines = scene.lines.as_ref().map_or(0.0, |lines| lines.stored());
+        let [stored, dissipated] = scene.lines.as_ref().map_or([0.0; 2], |lines| lines.energies());
         let conserved = procedure.conserved(state);
         let contact = scene.contact_energy();
-        let strain = solids.internal - solids.plastic + lines;
-        let sum = conserved + strain + solids.plastic + solids.hourglass + solids.viscous + contact;
+        let strain = solids.internal - solids.plastic + stored;
+        let viscous = solids.viscous + dissipated;
+        let sum = conserved + strain + solids.plastic + solids.hourglass + viscous + contact;
         self.largest = self.largest.max(sum.abs());
         Balance {
             kinetic: procedure.kinetic(state),
@@ -149,7 +156,7 @@ impl Record {
             strain,
             plastic: solids.plastic,
             artificial: solids.hourglass,
-            viscous: solids.viscous,
+            viscous,
             contact,
             work: state.work - scene.loads.stored(),
             initial: *self.initial.get_or_insert(sum),

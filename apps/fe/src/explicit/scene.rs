@@ -1,6 +1,6 @@
 //! From a model to what acts in explicit steps.
 
-use super::contact;
+use super::{contact, explicit};
 use crate::course::Course;
 use crate::job::JobFailure;
 use fe_contact::explicit::{ContactPair, RigidFollower};
@@ -59,6 +59,9 @@ impl Scene {
         let external = course
             .external(&self.structure, &self.freedoms)
             .map_err(|error| JobFailure::Deck(format!("{}:{}: {error}", step.place.file, step.place.line)))?;
+        let viscosity = explicit(step).expect("all steps are explicit").bulk_viscosity;
+        self.solids.iter_mut().for_each(|solids| solids.damp(viscosity));
+        self.lines.iter_mut().for_each(|lines| lines.damp(viscosity[0]));
         let worked = self.loads.stored();
         self.loads = Loads::new(external, step.procedure.period()).after(worked);
         // What acts as before goes on with its state.

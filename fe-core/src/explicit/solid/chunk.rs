@@ -100,6 +100,11 @@ impl Chunk {
         }
     }
 
+    /// From now on with another bulk viscosity.
+    pub fn damp(&mut self, viscosity: [f64; 2]) {
+        self.common.viscosity = viscosity;
+    }
+
     pub fn count(&self) -> usize {
         self.cells.len()
     }

@@ -100,6 +100,11 @@ impl Solids {
         Solids { chunks, sums: vec![[0.0; 3]; nodes.len()], nodes, slots, energies: Energies::default() }
     }
 
+    /// From now on with another linear and quadratic bulk viscosity [-].
+    pub fn damp(&mut self, viscosity: [f64; 2]) {
+        self.chunks.iter_mut().for_each(|chunk| chunk.damp(viscosity));
+    }
+
     /// Energies put into the elements so far.
     pub fn energies(&self) -> Energies {
         self.energies
