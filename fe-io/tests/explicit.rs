@@ -168,6 +168,9 @@ fn pairs_hold_until_a_step_changes_them() {
         (second.constraint, second.sliding, second.weight),
         (MechanicalConstraint::Penalty, Sliding::Finite, None)
     );
+    for idle in ["`WEIGHT` has no effect", "`SMALL SLIDING` has no effect"] {
+        assert!(model.notes.iter().any(|note| note.contains(idle)), "{:?}", model.notes);
+    }
     let [before, after] = [&model.interactions[0], &model.interactions[1]];
     assert!(before.friction.is_none() && after.friction.is_some() && after.no_separation);
     assert_eq!((&before.name, before.explicit_damping.is_some()), (&after.name, true));

@@ -175,7 +175,9 @@ fn explicit_steps() {
     let pair = "*CONTACT PAIR, INTERACTION=I, MECHANICAL CONSTRAINT=PENALTY\nBALLS, WALLS\n";
     let damped = deck.replace(", MECHANICAL CONSTRAINT=PENALTY", "").replace("FRACTION\n0.,", "FRACTION\n0.1,");
     let general = deck.replace(pair, "*CONTACT\n*CONTACT INCLUSIONS, ALL EXTERIOR\n");
+    let rigid = deck.replace(", MECHANICAL CONSTRAINT=PENALTY", "").replace("TYPE=NODE\nBALL,", "TYPE=NODE\nREF,");
     let refused = [
+        (rigid, "kinematic contact of two rigid bodies (node 9 is of one", "job.inp:43"),
         (general, "general contact (*CONTACT) is not there yet", "job.inp:39"),
         (damped, "damping of kinematic contact is not there yet", "job.inp:43"),
     ];

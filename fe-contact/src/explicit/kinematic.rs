@@ -22,6 +22,9 @@ const SWEEPS: usize = 200;
 /// Change of a gap over the deepest overclosure at which sweeps end [-].
 const SETTLED: f64 = 1e-13;
 
+/// The same over the way of the nodes in the increment [-]: what rounding leaves of it.
+const ROUNDING: f64 = 1e-15;
+
 /// A direction in which a point and what it meets move against each other.
 #[derive(Debug, Default)]
 struct Row {
@@ -49,6 +52,11 @@ impl Row {
 
     fn rate(&self, at: &Predicted) -> f64 {
         self.entries.iter().map(|&(f, d)| d * at.v[f]).sum()
+    }
+
+    /// Sum of the ways [L] that its freedoms have in the increment.
+    fn way(&self, at: &Predicted) -> f64 {
+        self.entries.iter().map(|&(f, d)| (d * at.v[f]).abs()).sum::<f64>() * at.dt
     }
 
     /// Takes another impulse; what it moves the distance by [L].
@@ -96,11 +104,18 @@ impl ContactPair {
         // The main side moves by no more than the deepest.
         hits.retain(|(_, hit)| deepest > 0.0 && hit.gap < reach + deepest);
         let mut closing: Vec<Closing> = hits.into_iter().map(|(place, hit)| self.closing(place, hit, at)).collect();
+        let way = closing.iter().map(|point| point.normal.way(at)).fold(0.0, f64::max);
+        let settled = SETTLED * deepest + ROUNDING * way;
+        let mut change = 0.0;
         for _ in 0..SWEEPS {
-            let change = closing.iter_mut().map(|point| self.solve(point, at)).fold(0.0, f64::max);
-            if change <= SETTLED * deepest {
+            change = closing.iter_mut().map(|point| self.solve(point, at)).fold(0.0, f64::max);
+            if change <= settled {
                 break;
             }
+        }
+        if change > settled {
+            self.unsettled.increments += 1;
+            self.unsettled.change = self.unsettled.change.max(change);
         }
         self.settle(&closing, at);
     }

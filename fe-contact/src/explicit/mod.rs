@@ -11,7 +11,7 @@ mod target;
 pub use behaviour::{Behaviour, Normal};
 pub use carriers::RigidFollower;
 pub use definition::{Definition, Enforcement, Secondary};
-pub use pair::{ContactPair, PointState};
+pub use pair::{ContactPair, PointState, Unsettled};
 pub use target::MainSurface;
 
 #[cfg(test)]

@@ -51,6 +51,15 @@ pub struct PointState {
     pub measure: f64,
 }
 
+/// Increments in which impulses that depend on each other were still changing when their search ended.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Unsettled {
+    /// How many.
+    pub increments: usize,
+    /// Largest change [L] of a gap in a last sweep: so far are gaps from what is wanted.
+    pub change: f64,
+}
+
 /// A pair at work.
 #[derive(Debug)]
 pub struct ContactPair {
@@ -64,6 +73,7 @@ pub struct ContactPair {
     pub(super) rubbed: f64,
     /// Forces [F] on prescribed freedoms, of kinematic contact in the last increment.
     pub(super) reactions: BTreeMap<usize, f64>,
+    pub(super) unsettled: Unsettled,
 }
 
 impl ContactPair {
@@ -93,6 +103,7 @@ impl ContactPair {
             work: 0.0,
             rubbed: 0.0,
             reactions: BTreeMap::new(),
+            unsettled: Unsettled::default(),
         }
     }
 
@@ -141,6 +152,11 @@ impl ContactPair {
         let enforcement =
             if self.definition.enforcement == Enforcement::Kinematic { ", kinematic, no damping" } else { "" };
         (self.points.len(), format!("{normal}{enforcement}{friction}{damping}"))
+    }
+
+    /// Increments of kinematic contact that were left unsettled since this was asked last.
+    pub fn take_unsettled(&mut self) -> Unsettled {
+        std::mem::take(&mut self.unsettled)
     }
 
     /// Energy [F L] that friction has turned into heat.

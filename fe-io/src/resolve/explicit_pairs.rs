@@ -143,7 +143,11 @@ impl ExplicitPairs {
     fn sliding(&self, entry: &Entry<'_>, diagnostics: &mut Diagnostics) -> Sliding {
         let Some(small) = entry.parameter("SMALL SLIDING") else { return Sliding::Finite };
         let title = match (self.steps, entry.says("MECHANICAL CONSTRAINT", "PENALTY")) {
-            (1, false) => return Sliding::Small,
+            (1, false) => {
+                let note = Diagnostic::note(small.span, "`SMALL SLIDING` has no effect in explicit steps");
+                diagnostics.push(note.label("places on the main surface are found anew in every increment"));
+                return Sliding::Small;
+            }
             (_, true) => "`SMALL SLIDING` is for kinematic pairs",
             (_, false) => "`SMALL SLIDING` is for the first step: places on the main surface are those of its start",
         };
@@ -218,6 +222,7 @@ impl Common {
         if self.constraint == MechanicalConstraint::Kinematic {
             rigid_side(first, (&secondary, &main), scene, diagnostics);
         }
+        self.idle_weight((&secondary, &main), entry, scene, diagnostics);
         let pair = ExplicitPair {
             secondary_name: scene.full_name(first.text),
             main_name: scene.full_name(second.text),
@@ -229,6 +234,32 @@ impl Common {
             weight: self.weight,
         };
         (diagnostics.faults() == before).then_some(pair)
+    }
+}
+
+impl Common {
+    /// Tells a weight where the first surface alone can be the secondary one.
+    fn idle_weight(
+        &self,
+        sides: (&Secondary, &Main),
+        entry: &Entry<'_>,
+        scene: &Scene<'_>,
+        diagnostics: &mut Diagnostics,
+    ) {
+        let Some(value) = entry.value("WEIGHT").filter(|_| self.weight != Some(0.0)) else { return };
+        let is_rigid = |face: &Face| scene.element_of(face.cell).family() == Family::Rigid;
+        let why = match sides {
+            (Secondary::Faces(_), Main::Faces(faces)) => {
+                let kinematic = self.constraint == MechanicalConstraint::Kinematic;
+                (kinematic && faces.iter().any(is_rigid))
+                    .then_some("what is rigid is the main side of kinematic contact")
+            }
+            (_, Main::Rigid { .. }) => Some("an analytical surface is the main side"),
+            _ => Some("nodes and lines are the secondary side"),
+        };
+        if let Some(why) = why {
+            diagnostics.push(Diagnostic::note(value.span, "`WEIGHT` has no effect here").label(why));
+        }
     }
 }
 

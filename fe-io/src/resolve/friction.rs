@@ -1,5 +1,7 @@
 //! `*FRICTION`.
 
+use super::procedures::only_for;
+use super::scene::Analysis;
 use crate::deck::Deck;
 use crate::deck::number::number;
 use crate::diagnostic::{Diagnostic, Diagnostics};
@@ -9,7 +11,15 @@ use crate::keyword::{Field, friction};
 use fe_contact::friction::{Coefficient, Friction, Stick, TOLERANCE};
 
 /// What the card says under an interaction; `None` where nothing holds along the surface, which is told, or where it is refused.
-pub fn of_interaction(entry: &Entry<'_>, deck: &Deck, diagnostics: &mut Diagnostics) -> Option<Friction> {
+pub fn of_interaction(
+    entry: &Entry<'_>,
+    deck: &Deck,
+    analysis: Analysis,
+    diagnostics: &mut Diagnostics,
+) -> Option<Friction> {
+    if analysis == Analysis::Explicit {
+        only_static(entry, diagnostics);
+    }
     let friction = read(entry, deck, diagnostics)?;
     if friction.is_none() {
         let note = Diagnostic::note(entry.card.span, "a friction coefficient of 0: the surfaces slide freely");
@@ -17,6 +27,16 @@ pub fn of_interaction(entry: &Entry<'_>, deck: &Deck, diagnostics: &mut Diagnost
         return None;
     }
     Some(friction)
+}
+
+/// In explicit steps kinematic contact sticks exactly, and penalties on springs of their own.
+fn only_static(entry: &Entry<'_>, diagnostics: &mut Diagnostics) {
+    only_for(entry, &["ELASTIC SLIP", "SLIP TOLERANCE", "LAGRANGE"], Analysis::Static, diagnostics);
+    let largest = entry.value("TAUMAX").filter(|value| number(&value.text) == Some(0.0));
+    if let Some(value) = largest {
+        let fault = Diagnostic::error(value.span, "`TAUMAX` of `*FRICTION` must be > 0 in explicit steps");
+        diagnostics.push(fault.help("for no limit leave it out"));
+    }
 }
 
 /// What the card says; `None` where it is refused, which was told.

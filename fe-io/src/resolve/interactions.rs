@@ -79,7 +79,7 @@ impl Interactions {
             of.into_iter().for_each(|i| all.once(i, entry, diagnostics));
             match entry.keyword.name {
                 "FRICTION" => {
-                    let friction = friction::of_interaction(entry, deck, diagnostics);
+                    let friction = friction::of_interaction(entry, deck, given.analysis, diagnostics);
                     of.into_iter().for_each(|i| all.list[i].friction = friction.clone());
                 }
                 "CONTACT DAMPING" if given.analysis == Analysis::Explicit => {

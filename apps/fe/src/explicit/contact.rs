@@ -2,8 +2,9 @@
 
 use super::scene::Scene;
 use crate::job::JobFailure;
+use crate::number::scientific;
 use fe_contact::explicit::{
-    Behaviour, ContactPair, Definition, Enforcement, MainSurface, Normal, RigidFollower, Secondary,
+    Behaviour, ContactPair, Definition, Enforcement, MainSurface, Normal, RigidFollower, Secondary, Unsettled,
 };
 use fe_contact::facet::{Facet, Vec3};
 use fe_contact::friction::{Coulomb, Friction, Spring};
@@ -11,6 +12,7 @@ use fe_contact::interaction::{Interaction, NormalBehavior};
 use fe_contact::pair::{ExplicitPair, MechanicalConstraint};
 use fe_contact::surface::{self, Main};
 use fe_contact::viscous::DampingAmount;
+use fe_core::element::Family;
 use fe_core::structure::Structure;
 use fe_io::Model;
 use fe_io::model::{ActivePair, Place, RigidBody, Step};
@@ -50,6 +52,13 @@ pub fn refuse_the_rest(model: &Model, step: &Step) -> Result<(), JobFailure> {
         let (pair, place) = &model.explicit_pairs[active.pair];
         let interaction = active.interaction.map(|i| &model.interactions[i]);
         if pair.constraint == MechanicalConstraint::Kinematic {
+            if let Some(body) = rigid_on_rigid(model, pair) {
+                let node = model.structure.mesh.point_name(body);
+                let what = format!(
+                    "kinematic contact of two rigid bodies (node {node} is of one, and so is the main side) is"
+                );
+                return refuse(place, &what, "say MECHANICAL CONSTRAINT=PENALTY");
+            }
             let weight = weight(&model.structure, pair);
             if weight > 0.0 && weight < 1.0 {
                 let help =
@@ -66,6 +75,40 @@ pub fn refuse_the_rest(model: &Model, step: &Step) -> Result<(), JobFailure> {
         }
     }
     Ok(())
+}
+
+/// A node of a rigid body on the first surface, where the second one is rigid, too.
+fn rigid_on_rigid(model: &Model, pair: &ExplicitPair) -> Option<u32> {
+    let structure = &model.structure;
+    let is_rigid = match &pair.main {
+        Main::Faces(faces) => faces.iter().any(|face| family(structure, face) == Family::Rigid),
+        Main::Rigid { .. } => true,
+    };
+    let bodies = followers(structure, &model.rigid_bodies);
+    let follows = |node: u32| bodies.iter().any(|b| b.reference == node || b.nodes.binary_search(&node).is_ok());
+    let own = secondary(structure, &pair.secondary).nodes;
+    own.into_iter().map(|node| node.0).find(|&node| is_rigid && follows(node))
+}
+
+fn family(structure: &Structure, face: &Face) -> Family {
+    structure.elements[face.cell.block as usize].family()
+}
+
+/// What is to be said of the pairs at the end of a step.
+pub fn unsettled(scene: &mut Scene) -> Vec<String> {
+    let mut notes = Vec::new();
+    for pair in scene.pairs.iter_mut().flat_map(|(_, pairs)| pairs) {
+        let Unsettled { increments, change } = pair.take_unsettled();
+        if increments > 0 {
+            let change = scientific(change, 2);
+            let name = pair.label();
+            notes.push(format!(
+                "warning: contact {name}: in {increments} increments the impulses of its nodes were not found to the last digit; \
+                 gaps are off by up to {change}"
+            ));
+        }
+    }
+    notes
 }
 
 /// The pairs that act in a step; where both sides may be either, both are, each for its part.
@@ -140,19 +183,17 @@ fn is_without(damping: DampingAmount) -> bool {
     amount == 0.0
 }
 
-/// WEIGHT=, or what is usual: half and half for the faces of two deformable bodies, else the first surface is the secondary
-/// one.
+/// WEIGHT=, or what is usual: half and half for the faces of two deformable bodies. Where one side alone can be secondary (nodes
+/// and lines have no faces, an analytical surface has no nodes, and kinematic contact does not move what is rigid) it is the
+/// first one.
 fn weight(structure: &Structure, pair: &ExplicitPair) -> f64 {
-    let deformable = |faces: &[Face]| {
-        faces
-            .iter()
-            .all(|face| structure.elements[face.cell.block as usize].family() == fe_core::element::Family::Solid)
-    };
-    let both = match (&pair.secondary, &pair.main) {
-        (surface::Secondary::Faces(first), Main::Faces(second)) => deformable(first) && deformable(second),
-        _ => false,
-    };
-    pair.weight.unwrap_or(if both { 0.5 } else { 0.0 })
+    let (surface::Secondary::Faces(first), Main::Faces(second)) = (&pair.secondary, &pair.main) else { return 0.0 };
+    let deformable = |faces: &[Face]| faces.iter().all(|face| family(structure, face) == Family::Solid);
+    match (deformable(first) && deformable(second), pair.constraint) {
+        (true, _) => pair.weight.unwrap_or(0.5),
+        (false, MechanicalConstraint::Penalty) => pair.weight.unwrap_or(0.0),
+        (false, MechanicalConstraint::Kinematic) => 0.0,
+    }
 }
 
 fn faces_of(scene: &Scene, faces: &[Face]) -> MainSurface {

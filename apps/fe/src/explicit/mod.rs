@@ -196,6 +196,7 @@ impl Run<'_> {
                 }
             }
         }
+        contact::unsettled(self.scene).iter().for_each(|note| observer.event(Event::Note(note)));
         Ok(())
     }
 
