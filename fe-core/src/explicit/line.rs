@@ -3,6 +3,7 @@
 use super::{Advance, ExplicitTerm, Halt, Moving};
 use crate::element::{ElementType, Family};
 use crate::freedoms::Freedoms;
+use crate::material::Damping;
 use crate::structure::Structure;
 use fe_mesh::CellId;
 
@@ -35,9 +36,11 @@ struct Element {
     length: f64,
     /// Half of its mass [M].
     mass: f64,
+    /// Damping of its material.
+    damping: Damping,
     /// Length or elongation [L] at the end of the last increment.
     now: f64,
-    /// Force [F] of dashpot or bulk viscosity then.
+    /// Force [F] of dashpot, bulk viscosity or damping by stiffness then.
     viscous: f64,
 }
 
@@ -73,7 +76,8 @@ impl Lines {
             for &cell in &section.cells {
                 let (reach, length) = line(cell);
                 let (answer, mass) = (Answer::Truss(section.young * area), 0.5 * density * area * length);
-                elements.push(Element { cell, answer, reach, length, mass, now: length, viscous: 0.0 });
+                let damping = section.damping;
+                elements.push(Element { cell, answer, reach, length, mass, damping, now: length, viscous: 0.0 });
             }
         }
         for section in &structure.discrete {
@@ -100,7 +104,8 @@ impl Lines {
                     _ => Answer::Dashpot(section.magnitude),
                 };
                 let now = if matches!(reach, Reach::Line { .. }) { length } else { 0.0 };
-                elements.push(Element { cell, answer, reach, length, mass: 0.0, now, viscous: 0.0 });
+                let damping = Damping::default();
+                elements.push(Element { cell, answer, reach, length, mass: 0.0, damping, now, viscous: 0.0 });
             }
         }
         Lines { elements, masses, viscosity, rates: [0.0; 2], stored: 0.0, dissipated: 0.0 }
@@ -114,6 +119,13 @@ impl Lines {
     /// Energy [F L] that springs and trusses hold, and that dashpots and bulk viscosity have dissipated.
     pub fn energies(&self) -> [f64; 2] {
         [self.stored, self.dissipated]
+    }
+
+    /// Adds the damping α m [M/T] of materials to the freedoms.
+    pub fn add_mass_damping(&self, damping: &mut [f64]) {
+        for element in &self.elements {
+            element.freedoms().for_each(|f| damping[f] += element.damping.alpha * element.mass);
+        }
     }
 
     /// True where there are none.
@@ -189,16 +201,19 @@ impl ExplicitTerm for Lines {
             let (elastic, stored, viscous) = match element.answer {
                 Answer::Truss(ea) => {
                     let of = |l: f64| (l / l0).ln();
-                    let stable = now * (2.0 * element.mass / (ea * l0)).sqrt();
-                    let xi = self.viscosity;
-                    let stable = stable * ((1.0 + xi * xi).sqrt() - xi);
+                    let free = now * (2.0 * element.mass / (ea * l0)).sqrt();
+                    let beta = element.damping.beta;
+                    // Of critical: bulk viscosity, and ½ β ω.
+                    let xi = self.viscosity + beta / free;
+                    let stable = free * ((1.0 + xi * xi).sqrt() - xi);
                     if stable < advance.stable {
                         (advance.stable, advance.element) = (stable, Some(element.cell));
                     }
-                    // Bulk viscosity b ρ c A l̇.
-                    let viscous = xi * (2.0 * element.mass * ea / l0).sqrt() * rate;
+                    // Bulk viscosity b ρ c A l̇, and β E A l̇/l.
+                    let coefficient =
+                        self.viscosity * (2.0 * element.mass * ea / l0).sqrt() + beta * ea * l0 / (now * now);
                     let energy = 0.5 * ea * l0 * (of(now).powi(2) - of(before).powi(2));
-                    (ea * l0 / now * of(now), energy, viscous)
+                    (ea * l0 / now * of(now), energy, coefficient * rate)
                 }
                 Answer::Spring(k) => {
                     let rest = if matches!(element.reach, Reach::Line { .. }) { l0 } else { 0.0 };

@@ -3,6 +3,7 @@
 pub mod central_difference;
 pub mod line;
 pub mod loads;
+pub mod mass_damping;
 pub mod solid;
 
 use fe_mesh::CellId;

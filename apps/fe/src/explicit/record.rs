@@ -28,7 +28,7 @@ pub struct Balance {
     pub plastic: f64,
     /// ALLAE: taken by the resistance to hourglass motion.
     pub artificial: f64,
-    /// ALLVD: dissipated by bulk viscosity and dashpots.
+    /// ALLVD: dissipated by bulk viscosity, dashpots and the damping of materials.
     pub viscous: f64,
     /// Taken by contact: stored by penalties and laws, dissipated by friction and damping.
     pub contact: f64,
@@ -147,7 +147,8 @@ impl Record {
         let conserved = procedure.conserved(state);
         let contact = scene.contact_energy();
         let strain = solids.internal - solids.plastic + stored;
-        let viscous = solids.viscous + dissipated;
+        let damped = scene.damping.as_ref().map_or(0.0, |damping| damping.stored());
+        let viscous = solids.viscous + dissipated + damped;
         let sum = conserved + strain + solids.plastic + solids.hourglass + viscous + contact;
         self.largest = self.largest.max(sum.abs());
         Balance {

@@ -9,9 +9,9 @@ use fe_core::element::{ElementType, Family};
 use fe_core::explicit::ExplicitTerm;
 use fe_core::explicit::line::Lines;
 use fe_core::explicit::loads::Loads;
-use fe_core::explicit::solid::{Flow, Hourglass, SolidSection, Solids};
+use fe_core::explicit::mass_damping::MassDamping;
+use fe_core::explicit::solid::{self, Hourglass, SolidSection, Solids};
 use fe_core::external::ExternalForces;
-use fe_core::material::{Damping, Material, Response};
 use fe_core::section::{self, HourglassControl};
 use fe_core::step::Explicit;
 use fe_core::structure::Structure;
@@ -29,6 +29,8 @@ pub struct Scene {
     pub solids: Option<Solids>,
     /// Trusses, springs, dashpots, masses, if any.
     pub lines: Option<Lines>,
+    /// Damping of materials by mass, if any.
+    pub damping: Option<MassDamping>,
     /// Loads of the present step.
     pub loads: Loads,
     /// The pairs that act in it, one after the other, with what they were made of.
@@ -49,9 +51,13 @@ impl Scene {
         let solids = (!sections.is_empty()).then(|| Solids::new(&structure, &freedoms, &sections));
         let lines = Lines::new(&structure, &freedoms, first.bulk_viscosity[0]);
         let lines = (!lines.is_empty()).then_some(lines);
+        let mut damping = vec![0.0; freedoms.len()];
+        solids.iter().for_each(|solids| solids.add_mass_damping(&mut damping));
+        lines.iter().for_each(|lines| lines.add_mass_damping(&mut damping));
+        let damping = MassDamping::new(&damping);
         let followers = contact::followers(&structure, &model.rigid_bodies);
         let loads = Loads::new(ExternalForces::default(), 1.0);
-        Ok(Scene { structure, freedoms, solids, lines, loads, pairs: Vec::new(), left: 0.0, followers })
+        Ok(Scene { structure, freedoms, solids, lines, damping, loads, pairs: Vec::new(), left: 0.0, followers })
     }
 
     /// Enters a step whose loads are in `course`.
@@ -98,6 +104,7 @@ impl Scene {
         let mut terms: Vec<&mut dyn ExplicitTerm> = Vec::new();
         terms.extend(self.solids.as_mut().map(|solids| solids as &mut dyn ExplicitTerm));
         terms.extend(self.lines.as_mut().map(|lines| lines as &mut dyn ExplicitTerm));
+        terms.extend(self.damping.as_mut().map(|damping| damping as &mut dyn ExplicitTerm));
         terms.push(&mut self.loads);
         let pairs = self.pairs.iter_mut().flat_map(|(_, pairs)| pairs);
         terms.extend(pairs.map(|pair| pair as &mut dyn ExplicitTerm));
@@ -107,31 +114,28 @@ impl Scene {
 
 /// The solids of each section; elements that explicit steps do not have are refused by name.
 fn sections<'a>(structure: &'a Structure, step: &Explicit) -> Result<Vec<SolidSection<'a>>, JobFailure> {
-    const THERE: [ElementType; 2] = [ElementType::C3D4, ElementType::C3D8R];
     let mut out = Vec::new();
     for section in &structure.sections {
         let material = &structure.materials[section.material];
-        if !THERE.contains(&section.element) {
-            let (element, there) = (section.element.name(), THERE.map(ElementType::name).join(" and "));
+        if !solid::has(section.element) {
+            let there: Vec<&str> =
+                ElementType::ALL.into_iter().filter(|element| solid::has(*element)).map(ElementType::name).collect();
+            let (element, there) = (section.element.name(), there.join(", "));
             return Err(JobFailure::Deck(format!(
                 "error: elements {element} of material {} are not there in explicit steps yet\nhelp: there are {there}",
                 material.name
             )));
         }
-        if material.damping != Damping::default() {
-            return Err(damped(&material.name));
-        }
         out.push(SolidSection {
             element: section.element,
             cells: &section.cells,
-            flow: flow(material)?,
+            response: &material.response,
             density: material.density.unwrap_or(0.0),
+            thickness: section.thickness,
+            damping: material.damping,
             hourglass: hourglass(section.hourglass),
             viscosity: step.bulk_viscosity,
         });
-    }
-    if let Some(section) = structure.lines.iter().find(|section| section.damping != Damping::default()) {
-        return Err(damped(&section.name));
     }
     if let Some(section) = structure.lines.iter().find(|section| section.element.family() == Family::Beam) {
         return Err(JobFailure::Deck(format!(
@@ -143,13 +147,6 @@ fn sections<'a>(structure: &'a Structure, step: &Explicit) -> Result<Vec<SolidSe
     Ok(out)
 }
 
-fn damped(material: &str) -> JobFailure {
-    JobFailure::Deck(format!(
-        "error: *DAMPING of material {material} is not there in explicit steps yet\nhelp: leave it out; bulk viscosity, dashpots \
-         and *CONTACT DAMPING are there"
-    ))
-}
-
 /// Resistance to hourglass motion: what blocks of cubes need to bend, unless the deck says otherwise; stiffness 0.05 of 2μ V tr A
 /// (Flanagan and Belytschko), viscosity a tenth of what is critical.
 fn hourglass(control: Option<section::Hourglass>) -> Hourglass {
@@ -159,18 +156,4 @@ fn hourglass(control: Option<section::Hourglass>) -> Hourglass {
         Some((HourglassControl::Stiffness, scale)) => Hourglass::Stiffness(0.05 * scale),
         Some((HourglassControl::Viscous, scale)) => Hourglass::Viscous(0.1 * scale),
     }
-}
-
-fn flow(material: &Material) -> Result<Flow, JobFailure> {
-    let (elastic, hardening) = match &material.response {
-        Response::Elastic(elastic) => (elastic, None),
-        Response::Plastic { elastic, hardening } => (elastic, Some(hardening.clone())),
-        Response::NeoHooke(_) => {
-            return Err(JobFailure::Deck(format!(
-                "error: *HYPERELASTIC of material {} is not there in explicit steps yet\nhelp: *ELASTIC and *PLASTIC are there",
-                material.name
-            )));
-        }
-    };
-    Ok(Flow { lambda: elastic.lambda(), mu: elastic.mu(), hardening })
 }

@@ -1,15 +1,18 @@
 //! What elements with one integration point do against motions that their mean gradients do not see.
 
-use super::flow::Matrix;
-use super::kernel::{Batch, Common, Geometry};
-use super::shape::Vector;
+use super::batch::{Batch, Common};
+use super::kernel::Geometry;
+use super::motion::Matrix;
+use super::shape::{Shape, Vector};
+use crate::element::Space;
 use crate::lanes::Lanes;
 
 /// What resists hourglass motion.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Hourglass {
     /// Springs, times a factor [-], so stiff that blocks of cubes bend as they should: E V tr A/72 for the three shapes of
-    /// bending, with A = Σ g gᵀ over the mean gradients g of the nodes, a third of it for the fourth.
+    /// bending, with A = Σ g gᵀ over the mean gradients g of the nodes, a third of it for the fourth; of squares E V tr A/24,
+    /// with E/(1 − ν²) where they are not of plane stress.
     Enhanced(f64),
     /// Springs of a part κ [-] of 2μ V tr A (Flanagan and Belytschko, Int. J. Numer. Meth. Eng. 17 (1981) 679).
     Stiffness(f64),
@@ -19,15 +22,24 @@ pub enum Hourglass {
 
 /// Stiffness [F/L], and viscosity over the increment [F/L], against the hourglass shape k; of V tr A [L] and m ω.
 #[inline(always)]
-pub(super) fn resistance(common: &Common, dt: f64, k: usize, (size, critical): (Lanes, Lanes)) -> (Lanes, Lanes) {
-    let (lambda, mu) = (common.flow.lambda, common.flow.mu);
-    let young = mu * (3.0 * lambda + 2.0 * mu) / (lambda + mu);
+pub(super) fn resistance<S: Shape<N, H>, const N: usize, const H: usize>(
+    common: &Common,
+    dt: f64,
+    k: usize,
+    (size, critical): (Lanes, Lanes),
+) -> (Lanes, Lanes) {
+    let (lambda, mu) = (common.answer.lambda, common.answer.mu);
+    let bending = match S::SPACE {
+        Space::PlaneStrain | Space::Axisymmetric => 4.0 * mu * (lambda + mu) / (lambda + 2.0 * mu) / 24.0,
+        Space::PlaneStress => mu * (3.0 * lambda + 2.0 * mu) / (lambda + mu) / 24.0,
+        _ => mu * (3.0 * lambda + 2.0 * mu) / (lambda + mu) / 72.0,
+    };
     let share = if k < 3 { 1.0 } else { 1.0 / 3.0 };
     match common.hourglass {
-        Hourglass::Enhanced(factor) => (size * (factor * young * share / 72.0), Lanes::ZERO),
+        Hourglass::Enhanced(factor) => (size * (factor * bending * share), Lanes::ZERO),
         Hourglass::Stiffness(part) => (size * (2.0 * mu * part), Lanes::ZERO),
         // c q/Δt with c so that a spring c ω would be critical.
-        Hourglass::Viscous(part) if dt > 0.0 => (Lanes::ZERO, critical * (part / (64.0 * dt))),
+        Hourglass::Viscous(part) if dt > 0.0 => (Lanes::ZERO, critical * (part / ((N * N) as f64 * dt))),
         Hourglass::Viscous(_) => (Lanes::ZERO, Lanes::ZERO),
     }
 }

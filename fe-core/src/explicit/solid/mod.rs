@@ -4,28 +4,38 @@
 //! a chunk is one piece of work with everything in cache, threads never write to the same place, and as forces are summed
 //! node by node in the order of the chunks the bits do not depend on the number of threads.
 
+#[allow(clippy::needless_range_loop)]
+mod batch;
 mod chunk;
 mod curve;
-#[allow(clippy::needless_range_loop)]
-mod flow;
 #[allow(clippy::needless_range_loop)]
 mod hourglass;
 #[allow(clippy::needless_range_loop)]
 mod kernel;
 #[allow(clippy::needless_range_loop)]
+mod motion;
+#[allow(clippy::needless_range_loop)]
+mod neo_hooke;
+mod one_point;
+mod plane;
+#[allow(clippy::needless_range_loop)]
+mod response;
+#[allow(clippy::needless_range_loop)]
 mod shape;
+#[allow(clippy::needless_range_loop)]
+mod viscosity;
 
 use super::{Advance, ExplicitTerm, Halt, Moving};
 use crate::element::ElementType;
 use crate::freedoms::Freedoms;
+use crate::material::{Damping, Response};
 use crate::structure::Structure;
+use batch::{Common, Outcome};
 use chunk::Chunk;
 use fe_mesh::CellId;
-pub use flow::Flow;
 pub use hourglass::Hourglass;
-pub use kernel::Energies;
-use kernel::{Common, Outcome};
 use rayon::prelude::*;
+use response::Answer;
 
 /// Elements of a chunk: their state fills half of a core's second cache.
 const CHUNK: usize = 1024;
@@ -33,18 +43,50 @@ const CHUNK: usize = 1024;
 /// Solids of one section and what they are made of.
 #[derive(Clone, Debug)]
 pub struct SolidSection<'a> {
-    /// C3D8R or C3D4.
+    /// One that [`has`] says yes to.
     pub element: ElementType,
     /// The cells.
     pub cells: &'a [CellId],
-    /// Moduli and yield stress.
-    pub flow: Flow,
+    /// Stress from strain.
+    pub response: &'a Response,
     /// Density [M/L³].
     pub density: f64,
+    /// Thickness [L] of plane elements; 1 otherwise.
+    pub thickness: f64,
+    /// Rayleigh damping: α on the mass, which [`super::mass_damping::MassDamping`] does, β on the elastic stiffness of small
+    /// strains.
+    pub damping: Damping,
     /// What resists hourglass motion.
     pub hourglass: Hourglass,
     /// Linear and quadratic bulk viscosity [-].
     pub viscosity: [f64; 2],
+}
+
+/// True where explicit steps have solids of this type.
+pub fn has(element: ElementType) -> bool {
+    chunk::has(element)
+}
+
+/// Energies [F L] that an increment put into the elements.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Energies {
+    /// Work of the stress: recoverable and plastic.
+    pub internal: f64,
+    /// Of that, dissipated by plastic flow.
+    pub plastic: f64,
+    /// Into the resistance to hourglass motion.
+    pub hourglass: f64,
+    /// Dissipated by bulk viscosity, and by damping proportional to the stiffness.
+    pub viscous: f64,
+}
+
+impl std::ops::AddAssign for Energies {
+    fn add_assign(&mut self, other: Self) {
+        self.internal += other.internal;
+        self.plastic += other.plastic;
+        self.hourglass += other.hourglass;
+        self.viscous += other.viscous;
+    }
 }
 
 /// State of one element.
@@ -69,20 +111,30 @@ pub struct Solids {
     /// Internal forces of these nodes [F].
     sums: Vec<[f64; 3]>,
     energies: Energies,
+    /// Translations of a node.
+    dimension: usize,
 }
 
 impl Solids {
     /// At rest, free of stress.
     ///
     /// # Panics
-    /// When a section is neither of C3D8R nor of C3D4, or a node has not three translations.
+    /// When a section is of elements that are not there, or a node lacks a translation.
     pub fn new(structure: &Structure, freedoms: &Freedoms, sections: &[SolidSection]) -> Self {
         let mut chunks = Vec::new();
         for section in sections {
-            let common =
-                Common { flow: section.flow.clone(), hourglass: section.hourglass, viscosity: section.viscosity };
+            let Damping { alpha, beta } = section.damping;
+            let common = Common {
+                answer: Answer::new(section.response),
+                density: section.density,
+                thickness: section.thickness,
+                hourglass: section.hourglass,
+                viscosity: section.viscosity,
+                beta,
+            };
             let cells = curve::sorted(&structure.mesh, section.cells);
-            let of = |cells: &[CellId]| Chunk::new((structure, freedoms), section, cells, common.clone());
+            let of =
+                |cells: &[CellId]| Chunk::new((structure, freedoms), section.element, cells, (common.clone(), alpha));
             chunks.extend(cells.chunks(CHUNK).map(of));
         }
         let mut places: Vec<(u32, u32, u32)> = Vec::new();
@@ -97,7 +149,8 @@ impl Solids {
             }
         }
         let slots = places.into_iter().map(|(_, chunk, local)| (chunk, local)).collect();
-        Solids { chunks, sums: vec![[0.0; 3]; nodes.len()], nodes, slots, energies: Energies::default() }
+        let (sums, energies) = (vec![[0.0; 3]; nodes.len()], Energies::default());
+        Solids { chunks, sums, nodes, slots, energies, dimension: structure.dimension() }
     }
 
     /// From now on with another linear and quadratic bulk viscosity [-].
@@ -108,6 +161,11 @@ impl Solids {
     /// Energies put into the elements so far.
     pub fn energies(&self) -> Energies {
         self.energies
+    }
+
+    /// Adds the damping α m [M/T] of materials to the freedoms.
+    pub fn add_mass_damping(&self, damping: &mut [f64]) {
+        self.chunks.iter().for_each(|chunk| chunk.add_mass_damping(damping));
     }
 
     /// Elements.
@@ -167,7 +225,7 @@ impl ExplicitTerm for Solids {
         }
         self.sum();
         for (&(first, _), sum) in self.nodes.iter().zip(&self.sums) {
-            (0..3).for_each(|c| forces[first as usize + c] -= sum[c]);
+            (0..self.dimension).for_each(|c| forces[first as usize + c] -= sum[c]);
         }
         Ok(advance)
     }

@@ -1,23 +1,40 @@
 //! Elements with one integration point: the integrals of their shape functions' gradients, and what these do not see.
 
-use super::flow::Matrix;
+use super::motion::Matrix;
+use crate::element::Space;
 use crate::lanes::Lanes;
 
 pub(super) type Vector = [Lanes; 3];
 
 /// An element with `N` nodes and `H` hourglass shapes, nodal values that belong to no constant gradient.
-pub(super) trait Shape<const N: usize, const H: usize>: Sync {
+pub(super) trait Shape<const N: usize, const H: usize>: std::fmt::Debug + Send + Sync {
+    /// The space it lives in; elements of a plane are of thickness 1 here, axis and radius stand as in [`Space::Axisymmetric`].
+    const SPACE: Space;
+
     /// The hourglass shapes.
     const HOURGLASS: [[f64; N]; H];
 
-    /// ∫∇N_a dV = ∂V/∂x_a of each node, exact on any shape: constant stresses pass the patch test.
+    /// ∫∇N_a dV of each node, exact on any shape: constant stresses pass the patch test.
     fn gradients<const FUSED: bool>(x: &[Vector; N]) -> [Vector; N];
+
+    /// ∫N_a/r dV of each node [L²], axisymmetric; with it ∂V/∂r_a = ∫∂N_a/∂r dV + ∫N_a/r dV.
+    #[inline(always)]
+    fn hoop(_x: &[Vector; N]) -> [Lanes; N] {
+        [Lanes::ZERO; N]
+    }
+
+    /// Parts of the mass that the nodes have [-].
+    fn shares(_x: &[Vector; N]) -> [Lanes; N] {
+        [Lanes::splat(1.0 / N as f64); N]
+    }
 }
 
 /// C3D8R.
+#[derive(Debug)]
 pub(super) struct Hexahedron;
 
 /// C3D4.
+#[derive(Debug)]
 pub(super) struct Tetrahedron;
 
 /// The first four corners; the others lie opposite.
@@ -25,6 +42,8 @@ const CORNERS: [[f64; 3]; 4] = [[-1.0, -1.0, -1.0], [1.0, -1.0, -1.0], [1.0, 1.0
 const OPPOSITE: [usize; 4] = [6, 7, 4, 5];
 
 impl Shape<8, 4> for Hexahedron {
+    const SPACE: Space = Space::Solid;
+
     /// ηζ, ζξ, ξη, ξηζ at the corners.
     const HOURGLASS: [[f64; 8]; 4] = [
         [1.0, 1.0, -1.0, -1.0, -1.0, -1.0, 1.0, 1.0],
@@ -87,6 +106,7 @@ impl Shape<8, 4> for Hexahedron {
 }
 
 impl Shape<4, 0> for Tetrahedron {
+    const SPACE: Space = Space::Solid;
     const HOURGLASS: [[f64; 4]; 0] = [];
 
     /// A sixth of the cross products of edges.
