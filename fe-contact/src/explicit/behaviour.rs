@@ -6,7 +6,7 @@ use crate::friction::{Coulomb, Sliding, Spring};
 use crate::law::NormalLaw;
 use crate::point::ContactStatus;
 use crate::tangents::{Space, tangents};
-use crate::viscous::DampingAmount;
+use crate::viscous::{DampingAmount, ExplicitDamping};
 use std::sync::Arc;
 
 /// How surfaces answer in normal direction.
@@ -18,15 +18,30 @@ pub enum Normal {
     Softened(Arc<dyn NormalLaw>),
 }
 
+/// Whether points may open that have closed.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Separation {
+    /// They may.
+    #[default]
+    Allowed,
+    /// `NO SEPARATION`: from then on they pull, too: hard contact and LINEAR with the slope that they press with, TABULAR with
+    /// the first one of the table (Abaqus Analysis User's Manual, Contact pressure-overclosure relationships).
+    Never,
+}
+
 /// What acts between two surfaces.
 #[derive(Clone, Debug)]
 pub struct Behaviour {
     /// Normal behaviour.
     pub normal: Normal,
+    /// Whether closed points may open.
+    pub separation: Separation,
     /// Friction. It sticks on springs as stiff as those of hard contact, on its own where no element has given them a stiffness.
     pub friction: Option<Coulomb>,
-    /// Damping across the surface of closed points; along it nothing is damped.
-    pub damping: Option<DampingAmount>,
+    /// `SHEAR TRACTION SLOPE`: stiffness of other springs that it sticks on, in the law's unit over a length.
+    pub shear_slope: Option<f64>,
+    /// Damping of closed points, across the surface and of what sticks on springs along it.
+    pub damping: Option<ExplicitDamping>,
 }
 
 /// Two surfaces at a point.
@@ -50,7 +65,7 @@ pub(super) struct Meeting {
 pub(super) struct Answer {
     /// Its new state, with the force [F] on the secondary side.
     pub point: Point,
-    /// Stiffness [F/L] and viscosity [F T/L] across the surface.
+    /// Largest stiffness [F/L] and viscosity [F T/L] of a direction.
     pub rates: [f64; 2],
     /// Heat [F L] of friction in the increment.
     pub rubbed: f64,
@@ -60,14 +75,20 @@ impl Behaviour {
     /// Pressure and slope of a point, in the law's unit.
     fn press(&self, point: &Point, gap: f64) -> (f64, f64) {
         match &self.normal {
-            Normal::Softened(law) => {
-                let response = law.respond(gap);
-                (response.pressure, response.stiffness)
-            }
+            Normal::Softened(law) => pressed(law.as_ref(), gap, point.bonded),
             Normal::Hard => {
                 let slope = point.penalty / point.measure;
-                if gap < 0.0 { (-slope * gap, slope) } else { (0.0, 0.0) }
+                if gap < 0.0 || point.bonded { (-slope * gap, slope) } else { (0.0, 0.0) }
             }
+        }
+    }
+
+    /// Viscosity [F T/L] of a point in a direction in which contact has a stiffness [F/L].
+    pub(super) fn viscosity(&self, measure: f64, mass: f64, stiffness: f64) -> f64 {
+        match self.damping.map(|damping| damping.amount) {
+            Some(DampingAmount::Coefficient(coefficient)) => coefficient * measure,
+            Some(DampingAmount::CriticalFraction(part)) => part * (4.0 * mass * stiffness).sqrt(),
+            None => 0.0,
         }
     }
 
@@ -76,52 +97,78 @@ impl Behaviour {
         let mut next = Point { gap: at.gap, ..*point };
         let (law, slope) = self.press(point, at.gap);
         let stiffness = slope * point.measure;
+        next.bonded = self.separation == Separation::Never && (point.bonded || law > 0.0);
+        let acts = law > 0.0 || next.bonded;
         let mut pressure = law;
         let mut damping = 0.0;
-        if let Some(amount) = self.damping
-            && law > 0.0
-            && at.dt > 0.0
-        {
-            damping = match amount {
-                DampingAmount::Coefficient(coefficient) => coefficient * point.measure,
-                DampingAmount::CriticalFraction(part) => part * (4.0 * at.mass * stiffness).sqrt(),
-            };
-            // It never pulls.
-            pressure = (law - damping * at.moved.dot(&at.normal) / at.dt / point.measure).max(0.0);
+        if acts && at.dt > 0.0 {
+            damping = self.viscosity(point.measure, at.mass, stiffness);
+            pressure = law - damping * at.moved.dot(&at.normal) / at.dt / point.measure;
+            if !next.bonded {
+                // It never pulls.
+                pressure = pressure.max(0.0);
+            }
         }
         next.pressure = pressure;
-        next.status = if law > 0.0 { ContactStatus::Closed } else { ContactStatus::Open };
+        next.status = if acts { ContactStatus::Closed } else { ContactStatus::Open };
         next.force = at.normal * (pressure * point.measure);
         (next.elastic, next.shear) = (Vec3::zeros(), [0.0; 2]);
+        let mut rates = [stiffness, damping];
         let mut rubbed = 0.0;
         if let Some(friction) = &self.friction
-            && law > 0.0
+            && acts
         {
-            rubbed = rub(friction, point, &mut next, at);
+            let along = self.rub(friction, (point, &mut next), at);
+            rates = [rates[0].max(along.rates[0]), rates[1].max(along.rates[1])];
+            rubbed = along.rubbed;
         }
-        Answer { point: next, rates: [stiffness, damping], rubbed }
+        Answer { point: next, rates, rubbed }
+    }
+
+    /// Adds the friction of a closed point to its next state.
+    fn rub(&self, friction: &Coulomb, (point, next): (&Point, &mut Point), at: &Meeting) -> Along {
+        let directions = tangents(&at.normal, at.space);
+        let along = |v: &Vec3| directions.map(|t| t.dot(v));
+        let (elastic, slip) = (along(&point.elastic), along(&at.moved));
+        let of_hard = Some(point.penalty / point.measure).filter(|stiffness| *stiffness > 0.0);
+        let spring = self.shear_slope.or(of_hard).map_or(friction.spring, Spring::Stiffness);
+        let answer = friction.respond_on(spring, Sliding { pressure: next.pressure, elastic, slip, dt: at.dt });
+        let mut out = Along { rates: [answer.stiffness[0][0] * point.measure, 0.0], rubbed: 0.0 };
+        next.shear = answer.shear;
+        let fraction = self.damping.map_or(0.0, |damping| damping.tangent_fraction);
+        if !answer.slips && at.dt > 0.0 && fraction > 0.0 {
+            out.rates[1] = fraction * self.viscosity(point.measure, at.mass, out.rates[0]);
+            let rate = |i: usize| (answer.elastic[i] - elastic[i]) / at.dt;
+            (0..2).for_each(|i| next.shear[i] += out.rates[1] * rate(i) / point.measure);
+        }
+        for i in 0..2 {
+            next.force -= directions[i] * (next.shear[i] * point.measure);
+            next.elastic += directions[i] * answer.elastic[i];
+            next.slip[i] += slip[i];
+            out.rubbed += answer.shear[i] * (slip[i] - (answer.elastic[i] - elastic[i])) * point.measure;
+        }
+        if answer.slips {
+            next.status = ContactStatus::Slipping;
+        }
+        out
     }
 }
 
-/// Adds the friction of a closed point to its next state; the heat [F L].
-fn rub(friction: &Coulomb, point: &Point, next: &mut Point, at: &Meeting) -> f64 {
-    let directions = tangents(&at.normal, at.space);
-    let along = |v: &Vec3| directions.map(|t| t.dot(v));
-    let (elastic, slip) = (along(&point.elastic), along(&at.moved));
-    let stiff = point.penalty / point.measure;
-    let spring = if stiff > 0.0 { Spring::Stiffness(stiff) } else { friction.spring };
-    let answer = friction.respond_on(spring, Sliding { pressure: next.pressure, elastic, slip, dt: at.dt });
-    let mut rubbed = 0.0;
-    for i in 0..2 {
-        next.force -= directions[i] * (answer.shear[i] * point.measure);
-        next.elastic += directions[i] * answer.elastic[i];
-        next.slip[i] += slip[i];
-        let heat = slip[i] - (answer.elastic[i] - elastic[i]);
-        rubbed += answer.shear[i] * heat * point.measure;
+/// What acts along the surface.
+struct Along {
+    /// Stiffness [F/L] and viscosity [F T/L].
+    rates: [f64; 2],
+    /// Heat [F L] of friction in the increment.
+    rubbed: f64,
+}
+
+/// Pressure and slope of a law; where surfaces are bonded it goes on beyond its reach, with the slope that it has there.
+pub(super) fn pressed(law: &dyn NormalLaw, gap: f64, bonded: bool) -> (f64, f64) {
+    let reach = law.reach();
+    if bonded && gap > reach {
+        let slope = law.respond(reach).stiffness;
+        return (slope * (reach - gap), slope);
     }
-    next.shear = answer.shear;
-    if answer.slips {
-        next.status = ContactStatus::Slipping;
-    }
-    rubbed
+    let response = law.respond(gap);
+    (response.pressure, response.stiffness)
 }

@@ -8,7 +8,7 @@ mod pair;
 mod penalty;
 mod target;
 
-pub use behaviour::{Behaviour, Normal};
+pub use behaviour::{Behaviour, Normal, Separation};
 pub use carriers::RigidFollower;
 pub use definition::{Definition, Enforcement, Secondary};
 pub use pair::{ContactPair, PointState, Unsettled};

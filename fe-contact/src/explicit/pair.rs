@@ -1,6 +1,6 @@
 //! A contact pair: its points, what is known of them, and who answers for it.
 
-use super::behaviour::Normal;
+use super::behaviour::{Normal, Separation};
 use super::carriers::{Carriers, RigidFollower};
 use super::definition::{Definition, Enforcement};
 use super::target::{Faces, MainSurface, Target};
@@ -24,6 +24,8 @@ pub(super) struct Point {
     pub elastic: Vec3,
     /// Slip while closed [L].
     pub slip: [f64; 2],
+    /// It has closed, and may not open any more.
+    pub bonded: bool,
     pub gap: f64,
     pub pressure: f64,
     pub shear: [f64; 2],
@@ -144,14 +146,15 @@ impl ContactPair {
             }
         };
         let friction = if self.definition.behaviour.friction.is_some() { ", friction" } else { "" };
-        let damping = match self.definition.behaviour.damping {
+        let damping = match self.definition.behaviour.damping.map(|damping| damping.amount) {
             Some(DampingAmount::CriticalFraction(part)) if part > 0.0 => format!(", damping {part} of critical"),
             Some(DampingAmount::Coefficient(value)) if value > 0.0 => format!(", damping {value:.6e}"),
             _ => String::new(),
         };
         let enforcement =
             if self.definition.enforcement == Enforcement::Kinematic { ", kinematic, no damping" } else { "" };
-        (self.points.len(), format!("{normal}{enforcement}{friction}{damping}"))
+        let bond = if self.definition.behaviour.separation == Separation::Never { ", no separation" } else { "" };
+        (self.points.len(), format!("{normal}{bond}{enforcement}{friction}{damping}"))
     }
 
     /// Increments of kinematic contact that were left unsettled since this was asked last.
@@ -198,5 +201,12 @@ impl ExplicitTerm for ContactPair {
 
 /// A point that nothing presses.
 pub(super) fn open(point: &Point) -> Point {
-    Point { pressure: 0.0, shear: [0.0; 2], elastic: Vec3::zeros(), status: ContactStatus::Open, ..*point }
+    Point {
+        pressure: 0.0,
+        shear: [0.0; 2],
+        elastic: Vec3::zeros(),
+        status: ContactStatus::Open,
+        bonded: false,
+        ..*point
+    }
 }

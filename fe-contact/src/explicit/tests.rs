@@ -8,7 +8,7 @@ use crate::law::exponential::Exponential;
 use crate::law::linear::Linear;
 use crate::point::ContactStatus;
 use crate::rigid::{Piece, RigidSurface, Sweep};
-use crate::viscous::DampingAmount;
+use crate::viscous::{DampingAmount, ExplicitDamping};
 use fe_core::Freedoms;
 use fe_core::element::ElementType::MASS;
 use fe_core::explicit::ExplicitTerm;
@@ -20,6 +20,7 @@ use fe_core::structure::{Discrete, Structure};
 use fe_mesh::{CellBlock, CellId};
 use std::sync::Arc;
 
+mod bonded;
 mod kinematic;
 
 /// Points with a mass each; further points without one.
@@ -54,12 +55,17 @@ fn floor(reference: u32) -> MainSurface {
     MainSurface::Rigid { surface, reference }
 }
 
+/// Surfaces that part and slide freely.
+fn free(normal: Normal) -> Behaviour {
+    Behaviour { normal, separation: Separation::Allowed, friction: None, shear_slope: None, damping: None }
+}
+
 fn definition(nodes: &[u32], main: MainSurface, law: Arc<dyn NormalLaw>) -> Definition {
     Definition {
         name: "S on M".into(),
         secondary: Secondary { nodes: nodes.iter().map(|&n| (n, 1.0)).collect() },
         main,
-        behaviour: Behaviour { normal: Normal::Softened(law), friction: None, damping: None },
+        behaviour: free(Normal::Softened(law)),
         enforcement: Enforcement::Penalty(1.0),
     }
 }
@@ -80,6 +86,16 @@ impl Scene {
 
     /// Nodes with held components are reference nodes.
     fn held(structure: &Structure, definition: Definition, held: &[(u32, usize)], v: &[(u32, usize, f64)]) -> Self {
+        Scene::within(structure, definition, (held, v), f64::INFINITY)
+    }
+
+    /// With increments of at most `most`.
+    fn within(
+        structure: &Structure,
+        definition: Definition,
+        (held, v): (&[(u32, usize)], &[(u32, usize, f64)]),
+        most: f64,
+    ) -> Self {
         let mut references: Vec<u32> = held.iter().map(|h| h.0).collect();
         references.dedup();
         let freedoms = structure.freedoms(&references);
@@ -90,7 +106,7 @@ impl Scene {
         let hold = |freedom| Support { freedom, kind: Prescribed::Displacement, course: Ramp::constant(0.0) };
         let supports = held.iter().filter_map(|&(n, c)| freedoms.index(n as usize, c)).map(hold).collect();
         let terms: &mut [&mut dyn ExplicitTerm] = &mut [&mut lines, &mut pair];
-        let procedure = CentralDifference::new(terms, supports, (1e9, f64::INFINITY), &mut state).unwrap();
+        let procedure = CentralDifference::new(terms, supports, (1e9, most), &mut state).unwrap();
         Scene { freedoms, lines, pair, state, procedure }
     }
 
@@ -209,7 +225,7 @@ fn b10_damped_contact_without_tension() {
         let (m, k, v) = (1.0, 1.0, 1.0);
         let structure = masses(&[([0.0; 3], m), ([0.0, 0.0, -1.0], 0.0)]);
         let law = Arc::new(Linear { slope: k, clearance: 0.0 });
-        let damping = Some(DampingAmount::CriticalFraction(zeta));
+        let damping = Some(ExplicitDamping { amount: DampingAmount::CriticalFraction(zeta), tangent_fraction: 1.0 });
         let mut definition = definition(&[0], floor(1), law);
         definition.behaviour.damping = damping;
         let mut scene = Scene::new(&structure, definition, &[1], &[(0, 2, -v)]);

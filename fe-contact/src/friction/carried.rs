@@ -23,6 +23,7 @@ impl Carried {
                 let length = if ground.length > 0.0 { ground.length } else { 1.0 };
                 let (spring, multipliers) = match stick {
                     Stick::Lagrange => (Spring::Stiffness(slope), Some(exact)),
+                    Stick::Slope(slope) => (Spring::Stiffness(*slope), None),
                     Stick::ElasticSlip(slip) => (Spring::Slip(*slip), None),
                     Stick::Tolerance(part) => (Spring::Slip(part * length), None),
                 };

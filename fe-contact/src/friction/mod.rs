@@ -32,6 +32,9 @@ pub enum Stick {
     Tolerance(f64),
     /// They do not move at all.
     Lagrange,
+    /// They give way on springs of this stiffness [F/L³], by the unit rule [F/L²] or [F/L], whatever the pressure: of explicit
+    /// steps.
+    Slope(f64),
 }
 
 /// The usual part of the facets' length that sticking points give way by [-] (Abaqus Analysis User's Manual, Frictional

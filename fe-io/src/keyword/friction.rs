@@ -13,6 +13,11 @@ pub const FRICTION: Keyword = Keyword {
             Kind::Number,
             "the same as a part of the mean length of the secondary facets of all pairs; 0.005 where nothing is said",
         ),
+        Parameter::of(
+            "SHEAR TRACTION SLOPE",
+            Kind::Number,
+            "in explicit steps: shear over the length that sticking points give way by",
+        ),
         Parameter::flag("LAGRANGE", "sticking points do not move at all"),
         Parameter::flag("ROUGH", "closed points never slip, whatever presses them"),
         Parameter::of("TAUMAX", Kind::Number, "largest shear, in the unit of the pressure; 0 for none"),
@@ -23,7 +28,6 @@ pub const FRICTION: Keyword = Keyword {
         Parameter::not_yet("USER", LIBRARY),
         Parameter::not_yet("DEPVAR", LIBRARY),
         Parameter::not_yet("PROPERTIES", LIBRARY),
-        Parameter::not_yet("SHEAR TRACTION SLOPE", "it is for explicit dynamics: say `ELASTIC SLIP=`"),
     ],
     data: Data::Lines(&[
         DataLine::many(TABLE).when("a coefficient, linear between the lines: slip rates rise, then pressures"),

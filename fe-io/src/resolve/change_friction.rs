@@ -54,6 +54,7 @@ impl InForce {
         let interaction = interaction(entry, scene, named, diagnostics);
         let course = course(entry, named, diagnostics);
         let card = next.filter(|next| next.keyword.name == "FRICTION");
+        card.into_iter().for_each(|card| friction::no_slope(card, diagnostics));
         let friction = card.and_then(|card| friction::read(card, scene.deck, diagnostics));
         match (entry.parameter("RESET"), card) {
             (Some(reset), Some(card)) => {

@@ -17,8 +17,9 @@ pub fn of_interaction(
     analysis: Analysis,
     diagnostics: &mut Diagnostics,
 ) -> Option<Friction> {
-    if analysis == Analysis::Explicit {
-        only_static(entry, diagnostics);
+    match analysis {
+        Analysis::Explicit => only_static(entry, diagnostics),
+        Analysis::Static => no_slope(entry, diagnostics),
     }
     let friction = read(entry, deck, diagnostics)?;
     if friction.is_none() {
@@ -27,6 +28,11 @@ pub fn of_interaction(
         return None;
     }
     Some(friction)
+}
+
+/// Refuses the springs of explicit steps in static ones.
+pub fn no_slope(entry: &Entry<'_>, diagnostics: &mut Diagnostics) {
+    only_for(entry, &["SHEAR TRACTION SLOPE"], Analysis::Explicit, diagnostics);
 }
 
 /// In explicit steps kinematic contact sticks exactly, and penalties on springs of their own.
@@ -46,7 +52,8 @@ pub fn read(entry: &Entry<'_>, deck: &Deck, diagnostics: &mut Diagnostics) -> Op
     let largest = positive(entry, "TAUMAX", diagnostics).filter(|largest| *largest > 0.0);
     let elastic = positive(entry, "ELASTIC SLIP", diagnostics).map(Stick::ElasticSlip);
     let tolerance = positive(entry, "SLIP TOLERANCE", diagnostics).map(Stick::Tolerance);
-    let stick = if entry.has("LAGRANGE") { Some(Stick::Lagrange) } else { elastic.or(tolerance) };
+    let slope = positive(entry, "SHEAR TRACTION SLOPE", diagnostics).map(Stick::Slope);
+    let stick = if entry.has("LAGRANGE") { Some(Stick::Lagrange) } else { elastic.or(tolerance).or(slope) };
     let friction = if entry.has("ROUGH") {
         if let Some(line) = deck.lines(entry.card).next() {
             let fault = Diagnostic::error(line.span, "`*FRICTION, ROUGH` has no data line");
@@ -77,7 +84,7 @@ fn positive(entry: &Entry<'_>, name: &str, diagnostics: &mut Diagnostics) -> Opt
 /// Words that cannot stand beside each other.
 fn exclusions(entry: &Entry<'_>, diagnostics: &mut Diagnostics) {
     let groups: [&[&str]; 4] = [
-        &["ELASTIC SLIP", "SLIP TOLERANCE", "LAGRANGE", "ROUGH"],
+        &["ELASTIC SLIP", "SLIP TOLERANCE", "LAGRANGE", "SHEAR TRACTION SLOPE", "ROUGH"],
         &["ROUGH", "TAUMAX"],
         &["ROUGH", "EXPONENTIAL DECAY"],
         &["EXPONENTIAL DECAY", "TAUMAX"],

@@ -92,6 +92,7 @@ impl Interactions {
                 }
                 _ => {
                     let behavior = behavior(entry, given, diagnostics);
+                    jump(entry, behavior.as_ref(), diagnostics);
                     of.into_iter().for_each(|i| all.describe(i, entry, behavior.clone()));
                 }
             }
@@ -249,6 +250,20 @@ fn exclusions(entry: &Entry<'_>, softened: Option<&str>, analysis: Analysis, dia
     if let [first, second, ..] = ways[..] {
         let fault = Diagnostic::error(second.span, "only one way to enforce hard contact can be used");
         diagnostics.push(fault.related(first.span, "another one"));
+    }
+}
+
+/// Where surfaces may not part, a law must go on into tension from a pressure of 0.
+fn jump(entry: &Entry<'_>, behavior: Option<&NormalBehavior>, diagnostics: &mut Diagnostics) {
+    let (Some(parameter), Some(NormalBehavior::Softened(law))) = (entry.parameter("NO SEPARATION"), behavior) else {
+        return;
+    };
+    let first = law.respond(law.reach()).pressure;
+    if first > 0.0 {
+        let title = "`NO SEPARATION` needs a law that begins with a pressure of 0";
+        let fault = Diagnostic::error(parameter.span, title).label(format!("this one begins with {first}"));
+        diagnostics
+            .push(fault.help("give the table a first point of pressure 0: its first slope goes on into tension"));
     }
 }
 

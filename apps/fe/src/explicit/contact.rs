@@ -4,10 +4,11 @@ use super::scene::Scene;
 use crate::job::JobFailure;
 use crate::number::scientific;
 use fe_contact::explicit::{
-    Behaviour, ContactPair, Definition, Enforcement, MainSurface, Normal, RigidFollower, Secondary, Unsettled,
+    Behaviour, ContactPair, Definition, Enforcement, MainSurface, Normal, RigidFollower, Secondary, Separation,
+    Unsettled,
 };
 use fe_contact::facet::{Facet, Vec3};
-use fe_contact::friction::{Coulomb, Friction, Spring};
+use fe_contact::friction::{Coulomb, Friction, Spring, Stick};
 use fe_contact::interaction::{Interaction, NormalBehavior};
 use fe_contact::pair::{ExplicitPair, MechanicalConstraint};
 use fe_contact::surface::{self, Main};
@@ -69,9 +70,14 @@ pub fn refuse_the_rest(model: &Model, step: &Step) -> Result<(), JobFailure> {
                 let help = "leave *CONTACT DAMPING out, or use MECHANICAL CONSTRAINT=PENALTY";
                 return refuse(place, "damping of kinematic contact is", help);
             }
-        }
-        if interaction.is_some_and(|i| i.no_separation) {
-            return refuse(place, "NO SEPARATION is", "leave it out");
+            if interaction.is_some_and(|i| i.no_separation) {
+                return refuse(place, "NO SEPARATION in kinematic contact is", "say MECHANICAL CONSTRAINT=PENALTY");
+            }
+            let slope = |i: &Interaction| matches!(i.friction, Some(Friction::Coulomb { stick: Stick::Slope(_), .. }));
+            if interaction.is_some_and(slope) {
+                let help = "leave it out: kinematic contact sticks exactly";
+                return refuse(place, "SHEAR TRACTION SLOPE in kinematic contact is", help);
+            }
         }
     }
     Ok(())
@@ -167,15 +173,25 @@ fn behaviour(interaction: Option<&Interaction>) -> Behaviour {
         Some(NormalBehavior::Softened(law)) => Normal::Softened(law.clone()),
         Some(NormalBehavior::Hard(_)) | None => Normal::Hard,
     };
-    let damping = Some(interaction.and_then(|i| i.explicit_damping).unwrap_or_default().amount);
+    let never = interaction.is_some_and(|i| i.no_separation);
     let spring = Spring::Stiffness(if let Normal::Softened(law) = &normal { law.typical_stiffness() } else { 1.0 });
+    let mut shear_slope = None;
     let friction = interaction.and_then(|i| i.friction.as_ref()).map(|friction| match friction {
-        Friction::Coulomb { coefficient, largest, .. } => {
+        Friction::Coulomb { coefficient, largest, stick } => {
+            if let Stick::Slope(slope) = stick {
+                shear_slope = Some(*slope);
+            }
             Coulomb { limit: Some((coefficient.clone(), *largest)), spring }
         }
         Friction::Rough => Coulomb { limit: None, spring },
     });
-    Behaviour { normal, friction, damping }
+    Behaviour {
+        normal,
+        separation: if never { Separation::Never } else { Separation::Allowed },
+        friction,
+        shear_slope,
+        damping: Some(interaction.and_then(|i| i.explicit_damping).unwrap_or_default()),
+    }
 }
 
 fn is_without(damping: DampingAmount) -> bool {

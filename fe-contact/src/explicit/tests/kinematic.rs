@@ -42,7 +42,7 @@ fn bar_on_wall(n: u32) -> Scene {
 
 fn hard(nodes: &[u32], main: MainSurface, enforcement: Enforcement) -> Definition {
     let law = Arc::new(Linear { slope: 1.0, clearance: 0.0 });
-    let behaviour = Behaviour { normal: Normal::Hard, friction: None, damping: None };
+    let behaviour = free(Normal::Hard);
     Definition { behaviour, enforcement, ..definition(nodes, main, law) }
 }
 

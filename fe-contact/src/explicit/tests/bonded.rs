@@ -1,0 +1,85 @@
+//! Points that may not open again, and what sticks on springs along the surface.
+
+use super::*;
+use crate::law::tabular::Tabular;
+
+/// A ball that may not leave again swings about the surface like on a spring that pulls, too: with the slope of LINEAR, with
+/// the first one of a table, with that of hard contact.
+#[test]
+fn no_separation_pulls() {
+    let (m, v, k, dt) = (1.0, 1.0, 4.0, 1e-3);
+    let table = Tabular::new(&[[0.0, 0.0], [4.0, 1.0], [400.0, 2.0]]).unwrap();
+    let normals = [
+        Normal::Softened(Arc::new(Linear { slope: k, clearance: 0.0 })),
+        Normal::Softened(Arc::new(table)),
+        Normal::Hard,
+    ];
+    for normal in normals {
+        let structure = masses(&[([0.0, 0.0, 0.1], m), ([0.0, 0.0, -1.0], 0.0)]);
+        let mut definition = definition(&[0], floor(1), Arc::new(Linear { slope: 1.0, clearance: 0.0 }));
+        // Hard contact has 0.1 m/Δt² of the largest increment.
+        let most = (0.1 * m / k).sqrt();
+        definition.behaviour = Behaviour { separation: Separation::Never, ..free(normal) };
+        let held: Vec<(u32, usize)> = (0..6).map(|c| (1, c)).collect();
+        let mut scene = Scene::within(&structure, definition, (&held, &[(0, 2, -v)]), most);
+        let (z, omega) = (scene.at(0, 2), (k / m).sqrt());
+        for step in 1..=20_000 {
+            scene.advance(dt);
+            let time = f64::from(step) * dt - 0.1 / v;
+            if time > 0.0 {
+                let exact = -0.1 - v / omega * (omega * time).sin();
+                // Touching is found within an increment; what is missed of the force then is below ω²vΔt²/2, and the period
+                // is off by (ωΔt)²/24.
+                let bound = v * dt * (omega * dt) * (1.0 + omega * time);
+                assert!((scene.state.u[z] - exact).abs() < bound, "{} {exact} {time}", scene.state.u[z]);
+            }
+        }
+        assert_eq!(scene.pair.states().next().unwrap().status, ContactStatus::Closed);
+    }
+}
+
+/// What was never closed may be open: nothing pulls.
+#[test]
+fn no_separation_begins_with_touching() {
+    let structure = masses(&[([0.0, 0.0, 1e-3], 1.0), ([0.0, 0.0, -1.0], 0.0)]);
+    let mut definition = definition(&[0], floor(1), Arc::new(Linear { slope: 4.0, clearance: 0.0 }));
+    definition.behaviour.separation = Separation::Never;
+    let mut scene = Scene::new(&structure, definition, &[1], &[(0, 2, 1.0)]);
+    (0..100).for_each(|_| scene.advance(1e-3));
+    assert_eq!(scene.state.v[scene.at(0, 2)], 1.0);
+}
+
+/// A block that sticks on springs of a given slope and is pushed swings about F/K, and damping along the surface stills it:
+/// 1 − x K/F falls by exp(−ξωt).
+#[test]
+fn a_sticking_block_swings_and_comes_to_rest() {
+    let (m, weight, push, slope, dt) = (2.0, 30.0, 3.0, 800.0, 1e-4);
+    for fraction in [0.0, 0.5] {
+        let structure = masses(&[([0.0, 0.0, -3e-4], m), ([0.0, 0.0, -1.0], 0.0)]);
+        let mut definition = definition(&[0], floor(1), Arc::new(Linear { slope: 1e5, clearance: 0.0 }));
+        let limit = Some((Coefficient::Constant(0.5), None));
+        definition.behaviour.friction = Some(Coulomb { limit, spring: Spring::Stiffness(1e6) });
+        definition.behaviour.shear_slope = Some(slope);
+        let amount = DampingAmount::CriticalFraction(0.1);
+        definition.behaviour.damping = Some(ExplicitDamping { amount, tangent_fraction: fraction });
+        let mut scene = Scene::new(&structure, definition, &[1], &[]);
+        let (x, z) = (scene.at(0, 0), scene.at(0, 2));
+        let (omega, xi) = ((slope / m).sqrt(), 0.1 * fraction);
+        let swing = omega * (1.0f64 - xi * xi).sqrt();
+        for step in 0..20_000 {
+            let time = f64::from(step) * dt;
+            let fall = (-xi * omega * time).exp();
+            let exact =
+                push / slope * (1.0 - fall * ((swing * time).cos() + xi * omega / swing * (swing * time).sin()));
+            // Central differences: (ωΔt)²/24 of the period. Damping is that of half an increment before, which counts like a
+            // mass of −ξωΔt and lets the phase run ahead by half of that.
+            let phase = omega * time * omega * dt;
+            let bound = push / slope * (omega * dt * (0.01 + phase) + xi * omega * dt + xi * phase * fall);
+            assert!((scene.state.u[x] - exact).abs() <= bound, "{step} {} {exact}", scene.state.u[x]);
+            scene.state.force[z] -= weight;
+            scene.state.force[x] += push;
+            scene.advance(dt);
+        }
+        assert!(scene.pair.rubbed().abs() < 1e-14, "{}", scene.pair.rubbed());
+    }
+}
