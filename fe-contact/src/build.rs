@@ -128,6 +128,7 @@ impl Contact {
             law,
             bare,
             stuck: Vec::new(),
+            mirrored: Vec::new(),
             length: ground.length,
             touch: TOUCH * model_size(structure),
             summary: Summary {

@@ -6,6 +6,8 @@ use crate::friction::change::Change;
 use crate::interference::{Allowance, Interference};
 use crate::law::NormalLaw;
 use crate::viscous::Stabilization;
+use fe_core::ramp::Ramp;
+use std::collections::BTreeMap;
 
 /// What a step says of one contact; by default nothing.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -113,10 +115,12 @@ impl Contact {
         self.origin.2 = overrides;
     }
 
-    /// Is told which freedoms the step prescribes. What their motion makes of a gap leaves a multiplier nothing to find: points
-    /// that nothing else moves are asked the law itself, where one in series with a spring is asked otherwise.
-    pub fn hold(&mut self, fixed: &[bool]) {
-        let stuck = |i: usize| !self.points[i].moves_with(&self.places[i], |f| !fixed[f]);
+    /// Is told the freedoms that the step prescribes, and their courses. What their motion makes of a gap leaves a multiplier
+    /// nothing to find: points that nothing else moves are asked the law itself, where one in series with a spring is asked
+    /// otherwise.
+    pub fn hold(&mut self, supports: &BTreeMap<usize, Ramp>) {
+        self.mirrored = self.mirrored(supports);
+        let stuck = |i: usize| !self.points[i].moves_with(&self.places[i], |f| !supports.contains_key(&f));
         self.stuck = if self.bare.is_some() { (0..self.points.len()).map(stuck).collect() } else { Vec::new() };
     }
 

@@ -38,6 +38,8 @@ pub struct Contact {
     pub(crate) bare: Option<Arc<dyn NormalLaw>>,
     /// The points that no free freedom of the present step moves; empty where they are asked as all others.
     pub(crate) stuck: Vec<bool>,
+    /// For each point the directions along the surface in which symmetry leaves nothing to slip; empty where there are none.
+    pub(crate) mirrored: Vec<[bool; 2]>,
     /// Multipliers on top of the law.
     pub(crate) multipliers: Option<Multipliers>,
     /// What acts along the surface.
@@ -139,7 +141,7 @@ impl Contact {
             let (here, p) = (self.at(i, u), &self.points[i]);
             let answer = self.answer(i, here.gap, (history, history));
             let (shear, _) = self.shear_and_slip(i, history);
-            let slide = p.slide_from(u, &self.places[i]).filter(|_| shear != [0.0; 2]);
+            let slide = self.slide_from(i, u).filter(|_| shear != [0.0; 2]);
             let mut forces = Vec::new();
             let mut add = |row: &[f64], force: f64| {
                 let freedoms = self.places[i].iter().cloned().flatten();

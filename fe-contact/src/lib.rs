@@ -38,6 +38,7 @@ pub mod stiffness;
 pub mod summary;
 pub mod surface;
 pub mod surface_to_surface;
+mod symmetry;
 pub mod tangents;
 mod term;
 #[cfg(test)]

@@ -51,8 +51,8 @@ pub fn redundant(contacts: &[Contact], u: &[f64], fixed: &[bool]) -> Vec<Redunda
 impl Contact {
     /// What the multipliers of a touching point hold, each with its freedoms: the gap, and what is tied along the surface.
     fn rows_of_multipliers(&self, point: usize, u: &[f64]) -> Vec<Vec<(usize, f64)>> {
-        let (p, places) = (&self.points[point], &self.places[point]);
-        let slide = p.slide_from(u, places).filter(|_| self.is_tied());
+        let places = &self.places[point];
+        let slide = self.slide_from(point, u).filter(|_| self.is_tied());
         let normal = self.at(point, u).row;
         let rows =
             std::iter::once(&normal[..]).chain(slide.iter().flat_map(|slide| slide.rows.iter().map(Vec::as_slice)));

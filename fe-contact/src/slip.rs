@@ -101,7 +101,9 @@ impl Contact {
         let own = self.own(point);
         let exact = self.sticks_exactly();
         let shifted = |i: usize| if exact { new[own + SHIFT + i] - old[own + SHIFT + i] } else { 0.0 };
-        [0, 1].map(|i| old[own + ELASTIC + i] + shifted(i))
+        let mut anchor = [0, 1].map(|i| old[own + ELASTIC + i] + shifted(i));
+        self.mirrored_at(point).for_each(|i| anchor[i] = 0.0);
+        anchor
     }
 
     /// The law of friction at a motion's time.
@@ -120,7 +122,7 @@ impl Contact {
         let law = law.filter(|_| normal.status != ContactStatus::Open)?;
         let pressure = normal.response.pressure;
         let places: &[Range<usize>] = &self.places[point];
-        let slide = self.points[point].slide_at((at.u, at.du), places)?;
+        let slide = self.slide_at(point, (at.u, at.du))?;
         let slip = slide.slip(at.du, places);
         let elastic = self.anchor(point, old, new);
         let mut answer = law.respond(Sliding { pressure, elastic, slip, dt: at.dt });
@@ -142,7 +144,7 @@ impl Contact {
 
     /// How the slips [L] of a point change with a small motion `field` from a displacement.
     pub(crate) fn slip_rate(&self, point: usize, u: &[f64], field: &[f64]) -> [f64; 2] {
-        let slide = self.tangential.as_ref().and_then(|_| self.points[point].slide_from(u, &self.places[point]));
+        let slide = self.tangential.as_ref().and_then(|_| self.slide_from(point, u));
         slide.map_or([0.0; 2], |slide| slide.slip(field, &self.places[point]))
     }
 

@@ -149,7 +149,7 @@ impl Contact {
             }
             self.spread(i, &here.row, pressure * measure, &mut normal);
             if shear != [0.0; 2]
-                && let Some(slide) = p.slide_from(u, &self.places[i])
+                && let Some(slide) = self.slide_from(i, u)
             {
                 for (row, shear) in slide.rows.iter().zip(shear) {
                     self.spread(i, row, -shear * measure, &mut along);

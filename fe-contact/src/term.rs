@@ -246,7 +246,7 @@ impl Term for Contact {
                 continue;
             };
             // A point that slips holds nothing along the surface, and may yet come to stick.
-            let Some(slide) = p.slide_from(u, &self.places[i]) else { continue };
+            let Some(slide) = self.slide_from(i, u) else { continue };
             let own = law.stiffness(answer.pressure);
             let factor = if own > 0.0 { own } else { self.law.typical_stiffness() };
             for row in slide.rows.iter().filter(|row| !row.is_empty()) {

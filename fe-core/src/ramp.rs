@@ -20,6 +20,11 @@ impl Ramp {
         Ramp { from: value, to: value, amplitude: None }
     }
 
+    /// True where it does not change over the step.
+    pub fn is_constant(&self) -> bool {
+        self.amplitude.is_none() && self.from == self.to
+    }
+
     /// The value at a time of the step; `period` is the step's.
     pub fn at(&self, step_time: f64, total_time: f64, period: f64) -> f64 {
         match &self.amplitude {

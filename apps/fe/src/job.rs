@@ -142,7 +142,7 @@ pub fn enter(model: &Model, terms: &mut Terms, index: usize, course: &mut Course
     let released = terms.enter(step, at);
     course.enter(initial, step, &terms.freedoms, at);
     course.release(released);
-    terms.hold(&course.fixed(at.u.len()));
+    terms.hold(&course.prescribed().into_iter().collect());
 }
 
 /// The scene of a step that was entered: what acts in it.

@@ -11,12 +11,14 @@ use fe_core::bodies::{Body, bodies};
 use fe_core::element::Family;
 use fe_core::member::{BadMember, Members};
 use fe_core::procedure::Converged;
+use fe_core::ramp::Ramp;
 use fe_core::solid::SolidBlock;
 use fe_core::structure::{LineSection, Structure};
 use fe_core::term::Term;
 use fe_io::Model;
 use fe_io::model::Step;
 use fe_mesh::CellId;
+use std::collections::BTreeMap;
 use std::sync::Arc;
 use std::time::Instant;
 
@@ -125,9 +127,9 @@ impl Terms {
         released
     }
 
-    /// Is told which freedoms the step prescribes.
-    pub fn hold(&mut self, fixed: &[bool]) {
-        self.contacts.iter_mut().for_each(|contact| contact.hold(fixed));
+    /// Is told the freedoms that the step prescribes, and their courses.
+    pub fn hold(&mut self, supports: &BTreeMap<usize, Ramp>) {
+        self.contacts.iter_mut().for_each(|contact| contact.hold(supports));
     }
 
     /// All terms.

@@ -32,14 +32,30 @@ pub struct Bodies {
     size: f64,
     /// Each edge over the one before, away from the contact.
     growth: f64,
+    /// How nodes and surfaces meet.
+    pub kind: &'static str,
 }
 
-pub const CYLINDER: Bodies =
-    Bodies { element: CPE4, radius: 50.0 * SCALE, contact: 1.0, force: 1812.45730015, size: 50.0, growth: 1.3 };
+pub const CYLINDER: Bodies = Bodies {
+    element: CPE4,
+    radius: 50.0 * SCALE,
+    contact: 1.0,
+    force: 1812.45730015,
+    size: 50.0,
+    growth: 1.3,
+    kind: "SURFACE TO SURFACE",
+};
 
 /// Half of it, y > 0.
-pub const BALL: Bodies =
-    Bodies { element: C3D8, radius: 10.0 * SCALE, contact: 0.5, force: 1923.07692308, size: 4.0, growth: 1.6 };
+pub const BALL: Bodies = Bodies {
+    element: C3D8,
+    radius: 10.0 * SCALE,
+    contact: 0.5,
+    force: 1923.07692308,
+    size: 4.0,
+    growth: 1.6,
+    kind: "NODE TO SURFACE",
+};
 
 /// What acts along the contact.
 pub const COULOMB: &str = "*FRICTION, LAGRANGE\n0.3\n";
@@ -109,10 +125,7 @@ impl Bodies {
         nodes(mesh, &mesh.surfaces[&format!("UP_{}", self.side(true))], contact)
     }
 
-    /// Pressed by moving the upper body's top down, then pulled along by this part of μP at its top, which stays level. The
-    /// ball's points act node to surface: surface to surface has a multiplier across the plane of symmetry for each node on
-    /// it, where nothing moves that way but its neighbours: as many as there are freedoms that way. What the last of them are
-    /// off by is met by multipliers of alternating signs, 2 + √3 times larger from node to node towards the plane.
+    /// Pressed by moving the upper body's top down, then pulled along by this part of μP at its top, which stays level.
     pub fn pulled(&self, h: f64, part: f64, friction: &str) -> Solution {
         let mesh = self.mesh(h);
         let top = self.top(&mesh);
@@ -123,7 +136,7 @@ impl Bodies {
         let held = format!("LOW_{below}, 1, {up}\nUP_{above}, {up}, {up}, {:e}\n{symmetry}", -self.way());
         let force = self.pull(part) / whole;
         let loads = forces(&mesh, top.iter().map(|node| (node.point as u32, [force * node.area, 0.0, 0.0])));
-        let kind = if self.is_solid() { "NODE TO SURFACE" } else { "SURFACE TO SURFACE" };
+        let kind = self.kind;
         let cards = format!(
             "{}{}*SURFACE INTERACTION, NAME=RUB\n*SURFACE BEHAVIOR, DIRECT\n{friction}\
              *CONTACT PAIR, INTERACTION=RUB, TYPE={kind}, SMALL SLIDING\nUP_TOUCH, LOW_TOUCH\n{}{}",
@@ -146,7 +159,9 @@ impl Bodies {
         let reaction =
             |node: &Node| terms.freedoms.index(node.point, axis).map_or(0.0, |f| solution.report.last.residual[f]);
         let held: f64 = self.top(&terms.structure.mesh).iter().map(reaction).sum();
-        -held / terms.states(&solution.report.last)[0].secondary.force[axis] - 1.0
+        let state = &terms.states(&solution.report.last)[0];
+        let shear = state.secondary_shear.as_ref().unwrap();
+        -held / (state.secondary.force[axis] + shear.force[axis]) - 1.0
     }
 
     /// The part of the bodies that the mesh holds.

@@ -20,5 +20,6 @@ mod receding;
 mod smooth;
 mod sphere;
 mod sphere_window;
+mod symmetry;
 mod vessel;
 mod window;
