@@ -70,6 +70,9 @@ fn definition(nodes: &[u32], main: MainSurface, law: Arc<dyn NormalLaw>) -> Defi
     }
 }
 
+/// A node, a component and its velocity.
+type Velocity = (u32, usize, f64);
+
 struct Scene {
     freedoms: Freedoms,
     lines: Lines,
@@ -79,13 +82,13 @@ struct Scene {
 }
 
 impl Scene {
-    fn new(structure: &Structure, definition: Definition, held: &[u32], v: &[(u32, usize, f64)]) -> Self {
+    fn new(structure: &Structure, definition: Definition, held: &[u32], v: &[Velocity]) -> Self {
         let held: Vec<(u32, usize)> = held.iter().flat_map(|&n| (0..6).map(move |c| (n, c))).collect();
         Scene::held(structure, definition, &held, v)
     }
 
     /// Nodes with held components are reference nodes.
-    fn held(structure: &Structure, definition: Definition, held: &[(u32, usize)], v: &[(u32, usize, f64)]) -> Self {
+    fn held(structure: &Structure, definition: Definition, held: &[(u32, usize)], v: &[Velocity]) -> Self {
         Scene::within(structure, definition, (held, v), f64::INFINITY)
     }
 
@@ -93,7 +96,7 @@ impl Scene {
     fn within(
         structure: &Structure,
         definition: Definition,
-        (held, v): (&[(u32, usize)], &[(u32, usize, f64)]),
+        (held, v): (&[(u32, usize)], &[Velocity]),
         most: f64,
     ) -> Self {
         let mut references: Vec<u32> = held.iter().map(|h| h.0).collect();
