@@ -6,6 +6,7 @@
 
 pub mod cell;
 pub mod check;
+mod exterior;
 pub mod generate;
 pub mod gmsh;
 pub mod mesh;
@@ -13,4 +14,5 @@ pub mod quadrature;
 pub mod shape;
 
 pub use cell::CellKind;
+pub use exterior::exterior;
 pub use mesh::{CellBlock, CellId, Face, Instance, Mesh};

@@ -3,7 +3,8 @@
 use super::pair::Point;
 use crate::facet::Vec3;
 use crate::friction::{Coulomb, Sliding, Spring};
-use crate::law::NormalLaw;
+use crate::law::scale_factor::Scaling;
+use crate::law::{NormalLaw, NormalResponse};
 use crate::point::ContactStatus;
 use crate::tangents::{Space, tangents};
 use crate::viscous::{DampingAmount, ExplicitDamping};
@@ -16,6 +17,13 @@ pub enum Normal {
     Hard,
     /// A softened law.
     Softened(Arc<dyn NormalLaw>),
+    /// A law by scale factors over the stiffness of hard contact: for general contact.
+    ScaleFactor {
+        /// Its numbers.
+        scaling: Scaling,
+        /// Length [L] of the smallest element that may touch.
+        smallest: f64,
+    },
 }
 
 /// Whether points may open that have closed.
@@ -72,10 +80,31 @@ pub(super) struct Answer {
 }
 
 impl Behaviour {
+    /// Law, friction and damping in a line; `hard` is what hard contact is called.
+    pub fn in_words(&self, hard: &str) -> String {
+        let normal = match &self.normal {
+            Normal::Softened(_) => "softened law",
+            Normal::ScaleFactor { .. } => "softened law by scale factors",
+            Normal::Hard => hard,
+        };
+        let friction = if self.friction.is_some() { ", friction" } else { "" };
+        let damping = match self.damping.map(|damping| damping.amount) {
+            Some(DampingAmount::CriticalFraction(part)) if part > 0.0 => format!(", damping {part} of critical"),
+            Some(DampingAmount::Coefficient(value)) if value > 0.0 => format!(", damping {value:.6e}"),
+            _ => String::new(),
+        };
+        let bond = if self.separation == Separation::Never { ", no separation" } else { "" };
+        format!("{normal}{bond}{friction}{damping}")
+    }
+
     /// Pressure and slope of a point, in the law's unit.
     fn press(&self, point: &Point, gap: f64) -> (f64, f64) {
+        let pair = |response: NormalResponse| (response.pressure, response.stiffness);
         match &self.normal {
             Normal::Softened(law) => pressed(law.as_ref(), gap, point.bonded),
+            Normal::ScaleFactor { scaling, smallest } => {
+                pair(scaling.over(point.penalty / point.measure, *smallest).respond(gap))
+            }
             Normal::Hard => {
                 let slope = point.penalty / point.measure;
                 if gap < 0.0 || point.bonded { (-slope * gap, slope) } else { (0.0, 0.0) }

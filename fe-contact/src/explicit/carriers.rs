@@ -172,6 +172,20 @@ impl Carriers {
         self.nodes.binary_search(&node).expect("a node of the surfaces")
     }
 
+    /// Bytes of the lists.
+    pub fn bytes(&self) -> usize {
+        let each = size_of::<u32>() + size_of::<Carrier>() + 4 * size_of::<Vec3>() + size_of::<[f64; 3]>();
+        self.nodes.len() * each
+    }
+
+    /// The rigid body that moves a node, by its place in `bodies`.
+    pub fn body_of(&self, node: u32) -> Option<u32> {
+        match self.carriers[node as usize] {
+            Carrier::Free(..) => None,
+            Carrier::Rigid(body) => Some(body as u32),
+        }
+    }
+
     pub fn weigh(&mut self, mass: &[f64]) {
         for (own, carrier) in self.mass.iter_mut().zip(&self.carriers) {
             *own = match *carrier {

@@ -155,8 +155,8 @@ impl ContactPair {
         let gap = point.hit.gap + (point.normal.rate(at) - point.normal.rate) * at.dt - growth * point.normal.impulse;
         let impulse = match &self.definition.behaviour.normal {
             Normal::Softened(law) => softened(law.as_ref(), gap, growth, point.measure * at.mean),
-            Normal::Hard if growth > 0.0 => (-gap / growth).max(0.0),
-            Normal::Hard => 0.0,
+            Normal::Hard | Normal::ScaleFactor { .. } if growth > 0.0 => (-gap / growth).max(0.0),
+            Normal::Hard | Normal::ScaleFactor { .. } => 0.0,
         };
         let mut change = point.normal.change(impulse, at);
         let Some(friction) = &self.definition.behaviour.friction else { return change };

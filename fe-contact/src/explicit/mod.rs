@@ -3,6 +3,8 @@
 mod behaviour;
 mod carriers;
 mod definition;
+mod foot;
+mod general;
 mod kinematic;
 mod pair;
 mod penalty;
@@ -11,6 +13,7 @@ mod target;
 pub use behaviour::{Behaviour, Normal, Separation};
 pub use carriers::RigidFollower;
 pub use definition::{Definition, Enforcement, Secondary};
+pub use general::{Acting, GeneralContact, GeneralCount, GeneralDefinition, GeneralFace, Sides};
 pub use pair::{ContactPair, PointState, Unsettled};
 pub use target::MainSurface;
 

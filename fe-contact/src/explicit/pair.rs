@@ -1,13 +1,11 @@
 //! A contact pair: its points, what is known of them, and who answers for it.
 
-use super::behaviour::{Normal, Separation};
 use super::carriers::{Carriers, RigidFollower};
 use super::definition::{Definition, Enforcement};
 use super::target::{Faces, MainSurface, Target};
 use crate::facet::Vec3;
 use crate::point::ContactStatus;
 use crate::tangents::Space;
-use crate::viscous::DampingAmount;
 use fe_core::explicit::{Advance, ExplicitTerm, Halt, Moving, Predicted};
 use fe_core::{Freedoms, Structure};
 use std::collections::BTreeMap;
@@ -137,24 +135,15 @@ impl ContactPair {
 
     /// How many secondary nodes it has, and what acts at them.
     pub fn in_words(&self) -> (usize, String) {
-        let normal = match &self.definition.behaviour.normal {
-            Normal::Softened(_) => "softened law".to_owned(),
-            Normal::Hard if self.definition.enforcement == Enforcement::Kinematic => "hard".to_owned(),
-            Normal::Hard => {
-                let largest = self.points.iter().map(|point| point.penalty).fold(0.0, f64::max);
-                format!("hard, penalty up to {largest:.6e} F/L a node")
-            }
+        let is_kinematic = self.definition.enforcement == Enforcement::Kinematic;
+        let hard = if is_kinematic {
+            "hard".to_owned()
+        } else {
+            let largest = self.points.iter().map(|point| point.penalty).fold(0.0, f64::max);
+            format!("hard, penalty up to {largest:.6e} F/L a node")
         };
-        let friction = if self.definition.behaviour.friction.is_some() { ", friction" } else { "" };
-        let damping = match self.definition.behaviour.damping.map(|damping| damping.amount) {
-            Some(DampingAmount::CriticalFraction(part)) if part > 0.0 => format!(", damping {part} of critical"),
-            Some(DampingAmount::Coefficient(value)) if value > 0.0 => format!(", damping {value:.6e}"),
-            _ => String::new(),
-        };
-        let enforcement =
-            if self.definition.enforcement == Enforcement::Kinematic { ", kinematic, no damping" } else { "" };
-        let bond = if self.definition.behaviour.separation == Separation::Never { ", no separation" } else { "" };
-        (self.points.len(), format!("{normal}{bond}{enforcement}{friction}{damping}"))
+        let enforcement = if is_kinematic { ", kinematic, no damping" } else { "" };
+        (self.points.len(), self.definition.behaviour.in_words(&hard) + enforcement)
     }
 
     /// Increments of kinematic contact that were left unsettled since this was asked last.

@@ -1,6 +1,7 @@
 //! The main side: the nearest point of moving faces, or of a rigid surface.
 
 use super::carriers::Carriers;
+use super::foot::Foot;
 use crate::facet::Vec3;
 use crate::rigid::RigidSurface;
 use crate::search::{Bounds, Grid};
@@ -120,82 +121,10 @@ impl Faces {
     /// The nearest point of one face, and how squarely it faces x [-].
     fn on_face(&self, carriers: &Carriers, face: usize, x: &Vec3) -> (Hit, f64) {
         let corners = self.corners[face];
-        let p = corners.map(|i| carriers.x[i as usize]);
-        let (weights, normal) = match self.counts[face] {
-            2 => {
-                let along = p[1] - p[0];
-                let s = ((x - p[0]).dot(&along) / along.norm_squared()).clamp(0.0, 1.0);
-                ([1.0 - s, s, 0.0, 0.0], along.cross(&Vec3::z()))
-            }
-            3 => {
-                let [a, b, c] = on_triangle(x, [p[0], p[1], p[2]]);
-                ([a, b, c, 0.0], (p[1] - p[0]).cross(&(p[2] - p[0])))
-            }
-            _ => on_quadrilateral(x, p),
-        };
-        let place: Vec3 = weights.iter().zip(&p).map(|(w, p)| p * *w).sum();
-        let (normal, offset) = (normal.normalize(), x - place);
-        let distance = offset.norm();
-        let height = offset.dot(&normal);
-        let sign = if height < 0.0 { -1.0 } else { 1.0 };
-        // Past an edge the direction is that of the offset, as long as it is clearly there.
-        let inside = (height.abs() - distance).abs() <= 1e-9 * self.size;
-        let direction = if inside { normal } else { offset * (sign / distance) };
-        let facing = if distance > 0.0 { height.abs() / distance } else { 1.0 };
-        let shares = std::array::from_fn(|i| (corners[i], weights[i]));
-        (Hit { gap: sign * if inside { height.abs() } else { distance }, normal: direction, place, shares }, facing)
+        let foot = Foot::on_face(&corners.map(|i| carriers.x[i as usize]), self.counts[face], x);
+        let shares = std::array::from_fn(|i| (corners[i], foot.weights[i]));
+        (Hit { gap: foot.gap, normal: foot.normal, place: foot.place, shares }, foot.facing)
     }
-}
-
-/// Barycentric weights of the point of a triangle nearest to x (Ericson, Real-Time Collision Detection, 5.1.5).
-fn on_triangle(x: &Vec3, [a, b, c]: [Vec3; 3]) -> [f64; 3] {
-    let (ab, ac) = (b - a, c - a);
-    let dots = |p: &Vec3| (ab.dot(&(x - p)), ac.dot(&(x - p)));
-    let ((d1, d2), (d3, d4), (d5, d6)) = (dots(&a), dots(&b), dots(&c));
-    if d1 <= 0.0 && d2 <= 0.0 {
-        return [1.0, 0.0, 0.0];
-    }
-    if d3 >= 0.0 && d4 <= d3 {
-        return [0.0, 1.0, 0.0];
-    }
-    let vc = d1 * d4 - d3 * d2;
-    if vc <= 0.0 && d1 >= 0.0 && d3 <= 0.0 {
-        let t = d1 / (d1 - d3);
-        return [1.0 - t, t, 0.0];
-    }
-    if d6 >= 0.0 && d5 <= d6 {
-        return [0.0, 0.0, 1.0];
-    }
-    let vb = d5 * d2 - d1 * d6;
-    if vb <= 0.0 && d2 >= 0.0 && d6 <= 0.0 {
-        let t = d2 / (d2 - d6);
-        return [1.0 - t, 0.0, t];
-    }
-    let va = d3 * d6 - d5 * d4;
-    if va <= 0.0 && d4 - d3 >= 0.0 && d5 - d6 >= 0.0 {
-        let t = (d4 - d3) / ((d4 - d3) + (d5 - d6));
-        return [0.0, 1.0 - t, t];
-    }
-    let sum = va + vb + vc;
-    [va / sum, vb / sum, vc / sum]
-}
-
-/// Weights of the corners at the nearest point of four triangles around the mean of the corners, and the normal there.
-fn on_quadrilateral(x: &Vec3, p: [Vec3; 4]) -> ([f64; 4], Vec3) {
-    let middle = (p[0] + p[1] + p[2] + p[3]) * 0.25;
-    let mut best = (f64::INFINITY, [0.0; 4], Vec3::zeros());
-    for i in 0..4 {
-        let j = (i + 1) % 4;
-        let [a, b, m] = on_triangle(x, [p[i], p[j], middle]);
-        let distance = (p[i] * a + p[j] * b + middle * m - x).norm_squared();
-        if distance < best.0 {
-            let mut weights = [0.25 * m; 4];
-            weights[i] += a;
-            weights[j] += b;
-            best = (distance, weights, (p[j] - p[i]).cross(&(middle - p[i])));
-        }
-    }
-    (best.1, best.2)
 }
 
 impl Target {

@@ -39,12 +39,15 @@ pub fn refuse_the_rest(model: &Model, step: &Step) -> Result<(), JobFailure> {
             "error: {what} not there yet in explicit steps\n --> {file}:{line}\nhelp: {help}"
         )))
     };
-    if step.general_contact.is_some() {
-        return refuse(
-            &step.place,
-            "general contact (*CONTACT) is",
-            "use *CONTACT PAIR, MECHANICAL CONSTRAINT=PENALTY",
-        );
+    if let Some(general) = &step.general_contact {
+        if model.structure.is_plane() {
+            return refuse(&step.place, "general contact (*CONTACT) of plane models is", "use *CONTACT PAIR");
+        }
+        let interactions = general.interactions.iter().map(|(_, interaction)| &model.interactions[*interaction]);
+        if let Some(interaction) = interactions.into_iter().find(|interaction| interaction.no_separation) {
+            let what = format!("NO SEPARATION of interaction {} in general contact is", interaction.name);
+            return refuse(&step.place, &what, "leave it out");
+        }
     }
     if !step.mass_scaling.is_empty() {
         return refuse(&step.place, "mass scaling is", "leave *FIXED MASS SCALING and *VARIABLE MASS SCALING out");
@@ -168,7 +171,7 @@ fn definition(
 }
 
 /// What an interaction says; without one contact is hard and slides freely.
-fn behaviour(interaction: Option<&Interaction>) -> Behaviour {
+pub fn behaviour(interaction: Option<&Interaction>) -> Behaviour {
     let normal = match interaction.map(|i| &i.normal) {
         Some(NormalBehavior::Softened(law)) => Normal::Softened(law.clone()),
         Some(NormalBehavior::Hard(_)) | None => Normal::Hard,

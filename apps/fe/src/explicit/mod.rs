@@ -1,6 +1,7 @@
 //! Explicit jobs: step by step, increment by increment, with frames at equal intervals of time.
 
 mod contact;
+mod general;
 mod plan;
 mod record;
 mod scene;

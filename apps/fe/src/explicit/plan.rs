@@ -4,6 +4,7 @@ use super::explicit;
 use super::scene::Scene;
 use crate::number::scientific;
 use crate::plan::Plan;
+use fe_contact::explicit::GeneralContact;
 use fe_core::element::Family;
 use fe_core::explicit::Advance;
 use fe_core::step::{Explicit, IncrementChoice};
@@ -13,6 +14,7 @@ use fe_io::model::Step;
 pub fn plan(scene: &Scene, step: &Step, prescribed: usize, advance: &Advance) -> Plan {
     let structure = &scene.structure;
     let unknowns = scene.freedoms.len() - prescribed;
+    let step_contact = &step.general_contact;
     let step = explicit(step).expect("the step is explicit");
     let mut needs = vec![("procedure".to_owned(), in_words(&step))];
     for section in &structure.sections {
@@ -37,16 +39,38 @@ pub fn plan(scene: &Scene, step: &Step, prescribed: usize, advance: &Advance) ->
         let (name, (points, law)) = (pair.label(), pair.in_words());
         needs.push(("contact pair".into(), format!("{name}, by forces at {points} nodes: {law}")));
     }
+    if let Some(general) = scene.general() {
+        needs.push(("general contact".into(), general_in_words(general)));
+    }
     let without = (0..scene.freedoms.nodes()).filter(|&n| scene.freedoms.of_node(n).is_empty()).count();
     let idle_nodes = without.saturating_sub(scene.following());
     let mut leaves_out: Vec<String> = vec![
         "matrix and solver: forces move the nodes at once".into(),
         "iterations and cutbacks: there is nothing to converge".into(),
     ];
-    if scene.pairs.is_empty() {
-        leaves_out.push("contact: no pair acts".into());
+    if scene.pairs.is_empty() && scene.general.is_none() {
+        leaves_out.push(match step_contact {
+            Some(_) => "contact: *CONTACT includes no surfaces that may touch".into(),
+            None => "contact: no pair acts".into(),
+        });
     }
     Plan { unknowns, prescribed, idle_nodes, needs, leaves_out }
+}
+
+fn general_in_words(general: &GeneralContact) -> String {
+    let count = general.count();
+    let penalty = match count.penalty {
+        Some([least, most]) => format!("penalty {} to {} F/L a node", scientific(least, 6), scientific(most, 6)),
+        None => "nothing that moves".into(),
+    };
+    let laws = general.in_words();
+    format!(
+        "{} faces, {} nodes, {} feature edges, {} MB: {penalty}; {laws}",
+        count.faces,
+        count.nodes,
+        count.edges,
+        count.bytes.div_ceil(1 << 20)
+    )
 }
 
 fn in_words(step: &Explicit) -> String {

@@ -176,7 +176,9 @@ fn fields(model: &Model, scene: &Scene) -> Vec<FieldInfo> {
     let there = |field: &&FieldInfo| match (field.name, field.location) {
         ("U" | "V" | "RF", _) => true,
         ("S" | "MISES" | "PEEQ", Location::Cell) => scene.solids.is_some(),
-        ("COPEN" | "CSTATUS", _) => model.steps.iter().any(|step| !step.explicit_pairs.is_empty()),
+        ("COPEN" | "CSTATUS", _) => {
+            model.steps.iter().any(|step| !step.explicit_pairs.is_empty() || step.general_contact.is_some())
+        }
         _ => false,
     };
     let wanted = |field: &&FieldInfo| {
@@ -235,7 +237,7 @@ impl Source<'_> {
     /// A number of the secondary nodes; where pairs share a node, `merge` of theirs.
     fn contact(&self, value: impl Fn(&ContactPoint) -> f64, merge: fn(f64, f64) -> f64) -> Vec<f64> {
         let mut out = vec![f64::NAN; self.scene.structure.mesh.points.len()];
-        for point in self.scene.contacts().flat_map(|pair| pair.states()) {
+        for point in self.scene.contact_states() {
             let place = &mut out[point.node as usize];
             *place = merge(*place, value(&point));
         }

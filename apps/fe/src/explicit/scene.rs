@@ -1,9 +1,9 @@
 //! From a model to what acts in explicit steps.
 
-use super::{contact, explicit};
+use super::{contact, explicit, general};
 use crate::course::Course;
 use crate::job::JobFailure;
-use fe_contact::explicit::{ContactPair, RigidFollower};
+use fe_contact::explicit::{ContactPair, GeneralContact, PointState, RigidFollower};
 use fe_core::Freedoms;
 use fe_core::element::{ElementType, Family};
 use fe_core::explicit::ExplicitTerm;
@@ -35,7 +35,9 @@ pub struct Scene {
     pub loads: Loads,
     /// The pairs that act in it, one after the other, with what they were made of.
     pub pairs: Vec<(ActivePair, Vec<ContactPair>)>,
-    /// Work that pairs took which act no more [F L].
+    /// The general contact that acts in it, with what it was made of.
+    pub general: Option<(Step, GeneralContact)>,
+    /// Work that contact took which acts no more [F L].
     left: f64,
     /// Rigid bodies with the nodes that follow them.
     pub followers: Vec<RigidFollower>,
@@ -57,7 +59,8 @@ impl Scene {
         let damping = MassDamping::new(&damping);
         let followers = contact::followers(&structure, &model.rigid_bodies);
         let loads = Loads::new(ExternalForces::default(), 1.0);
-        Ok(Scene { structure, freedoms, solids, lines, damping, loads, pairs: Vec::new(), left: 0.0, followers })
+        let pairs = Vec::new();
+        Ok(Scene { structure, freedoms, solids, lines, damping, loads, pairs, general: None, left: 0.0, followers })
     }
 
     /// Enters a step whose loads are in `course`.
@@ -81,7 +84,24 @@ impl Scene {
             self.pairs.push((*active, pairs));
         }
         self.left += before.iter().flat_map(|(_, pairs)| pairs).map(|pair| pair.stored()).sum::<f64>();
+        let same =
+            |was: &Step| was.general_contact == step.general_contact && was.explicit_pairs == step.explicit_pairs;
+        if !self.general.as_ref().is_some_and(|(was, _)| same(was)) {
+            self.left += self.general.take().map_or(0.0, |(_, general)| general.stored());
+            self.general = general::general(self, model, step).map(|general| (step.clone(), general));
+        }
         Ok(())
+    }
+
+    /// General contact, where it acts.
+    pub fn general(&self) -> Option<&GeneralContact> {
+        self.general.as_ref().map(|(_, general)| general)
+    }
+
+    /// States of the nodes of all contact.
+    pub fn contact_states(&self) -> impl Iterator<Item = PointState> {
+        let pairs = self.contacts().flat_map(|pair| pair.states());
+        pairs.chain(self.general().into_iter().flat_map(|general| general.states()))
     }
 
     /// All pairs that act.
@@ -96,7 +116,8 @@ impl Scene {
 
     /// Energy [F L] that contact has taken from the motion so far: stored, or turned into heat.
     pub fn contact_energy(&self) -> f64 {
-        self.left + self.contacts().map(|pair| pair.stored()).sum::<f64>()
+        let pairs: f64 = self.contacts().map(|pair| pair.stored()).sum();
+        self.left + pairs + self.general().map_or(0.0, |general| general.stored())
     }
 
     /// All terms: elements, loads, then contact.
@@ -108,6 +129,7 @@ impl Scene {
         terms.push(&mut self.loads);
         let pairs = self.pairs.iter_mut().flat_map(|(_, pairs)| pairs);
         terms.extend(pairs.map(|pair| pair as &mut dyn ExplicitTerm));
+        terms.extend(self.general.as_mut().map(|(_, general)| general as &mut dyn ExplicitTerm));
         terms
     }
 }

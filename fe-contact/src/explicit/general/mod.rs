@@ -1,0 +1,201 @@
+//! General contact: any exterior face may touch any other one, of its own body too, by penalty or a softened law.
+//!
+//! A grid of boxes finds what comes near; it is made anew only when the nodes have moved against each other by a margin, and
+//! in between a node that is far from every face sleeps until it may have come near. Nodes and edges are cut into runs of fixed
+//! length, which threads share; forces are summed run by run, so that the bits do not depend on the number of threads.
+
+mod definition;
+mod edges;
+mod features;
+mod nodes;
+mod report;
+mod surface;
+mod table;
+mod touch;
+
+pub use definition::{Acting, GeneralDefinition, GeneralFace, Sides};
+pub use report::GeneralCount;
+
+use super::carriers::{Carriers, RigidFollower};
+use super::penalty::PENALTY;
+use crate::facet::Vec3;
+use crate::search::{Bounds, Grid};
+use edges::{Closed, Edges};
+use fe_core::explicit::{Advance, ExplicitTerm, Halt, Moving};
+use fe_core::{Freedoms, Structure};
+use nodes::Nodes;
+use rayon::prelude::*;
+use surface::Surface;
+use table::Table;
+use touch::{Look, Scene, Touch};
+
+/// Nodes or edges of a run.
+const RUN: usize = 256;
+
+/// Increments, about, for which a search is to hold.
+const HOLDS: f64 = 100.0;
+
+/// Least and largest margin of a search over the mean size of the faces [-].
+const MARGINS: [f64; 2] = [0.1, 0.5];
+
+/// What does not change while candidates are looked at.
+#[derive(Debug)]
+struct Ground {
+    carriers: Carriers,
+    surface: Surface,
+    table: Table,
+    /// Stiffness [F/L] of hard contact of each node, once the increment is known; infinite where nothing moves it.
+    penalties: Vec<f64>,
+    /// How far any two places have moved against each other, at most [L].
+    travelled: f64,
+}
+
+impl Ground {
+    fn scene(&self, dt: f64, look: Look) -> Scene<'_> {
+        let Ground { carriers, surface, table, penalties, travelled } = self;
+        Scene { surface, carriers, table, penalties, dt, travelled: *travelled, look }
+    }
+}
+
+/// General contact at work.
+#[derive(Debug)]
+pub struct GeneralContact {
+    name: String,
+    ground: Ground,
+    nodes: Vec<Nodes>,
+    edges: Vec<Edges>,
+    /// Up to how much travelled [L] the last search holds.
+    holds: f64,
+    searches: usize,
+    work: f64,
+    rubbed: f64,
+}
+
+impl GeneralContact {
+    /// With all surfaces where they are at the start; `rigid` are the bodies whose nodes may be in the faces.
+    pub fn new(
+        structure: &Structure,
+        freedoms: &Freedoms,
+        definition: &GeneralDefinition,
+        rigid: &[RigidFollower],
+    ) -> Self {
+        let nodes: Vec<u32> = definition.faces.iter().flat_map(|face| &face.nodes).copied().collect();
+        let carriers = Carriers::new(structure, freedoms, nodes, rigid, &[]);
+        let surface = Surface::new(definition, &carriers);
+        let table = Table::new(definition, &surface);
+        let runs =
+            |count: usize| (0..count).step_by(RUN).map(move |first| first as u32..(first + RUN).min(count) as u32);
+        GeneralContact {
+            name: definition.name.clone(),
+            nodes: runs(surface.nodes.len()).map(Nodes::new).collect(),
+            edges: runs(surface.edges.len()).map(Edges::new).collect(),
+            ground: Ground { carriers, surface, table, penalties: Vec::new(), travelled: 0.0 },
+            holds: f64::NEG_INFINITY,
+            searches: 0,
+            work: 0.0,
+            rubbed: 0.0,
+        }
+    }
+
+    /// Stiffness of hard contact of each node, for an increment [T] of the elements.
+    fn stiffen(&mut self, increment: f64) {
+        let of = |&mass: &f64| if mass > 0.0 { PENALTY * mass / (increment * increment) } else { f64::INFINITY };
+        self.ground.penalties = self.ground.carriers.mass.iter().map(of).collect();
+    }
+
+    /// Counts how far things move against each other in an increment [T]: at most by the diagonal of the box of all velocities.
+    fn travel(&mut self, dt: f64) -> f64 {
+        let way = Bounds::around(&self.ground.carriers.v, 0.0).diagonal() * dt;
+        // Bodies that turn go a little farther than their velocity says.
+        self.ground.travelled += 1.01 * way;
+        way
+    }
+
+    /// Finds what comes near, where the last search holds no more.
+    fn search(&mut self, way: f64, dt: f64) -> Look {
+        if self.ground.travelled < self.holds {
+            return Look::Again;
+        }
+        let look = if self.searches == 0 { Look::First } else { Look::Anew };
+        self.searches += 1;
+        let Surface { faces, edges, size, .. } = &self.ground.surface;
+        let [least, most] = MARGINS.map(|part| part * size);
+        let margin = if dt > 0.0 { (HOLDS * way).clamp(least, most) } else { most };
+        self.holds = self.ground.travelled + margin;
+        let deepest = self.touches().filter(|touch| touch.is_closed()).map(|t| -t.point.gap).fold(0.0, f64::max);
+        let reach = margin + self.ground.table.reach.max(deepest);
+        let x = &self.ground.carriers.x;
+        let around = |corners: &[u32], margin: f64| {
+            let points: Vec<Vec3> = corners.iter().map(|&i| x[i as usize]).collect();
+            Bounds::around(&points, margin)
+        };
+        let near_faces = Grid::new(faces.iter().map(|face| around(face.corners(), reach)).collect());
+        let near_edges = Grid::new(edges.iter().map(|edge| around(&edge.nodes, reach)).collect());
+        let face_normals = self.ground.surface.face_normals(x);
+        let normals = [&face_normals[..], &self.ground.surface.node_normals(x, &face_normals)];
+        let scene = self.ground.scene(dt, look);
+        self.nodes.par_iter_mut().for_each(|run| run.search(&scene, &near_faces, normals));
+        self.edges.par_iter_mut().for_each(|run| run.search(&scene, &near_edges));
+        look
+    }
+
+    /// All touches, those of nodes first.
+    fn touches(&self) -> impl Iterator<Item = &Touch> {
+        let of_nodes = self.nodes.iter().flat_map(|run| &run.touches);
+        of_nodes.chain(self.edges.iter().flat_map(|run| &run.touches))
+    }
+
+    /// Looks at all candidates at the end of an increment.
+    fn meet(&mut self, dt: f64, look: Look) {
+        let edges = self.edges.iter().flat_map(|run| &run.touches).filter(|touch| touch.is_closed());
+        let crossing = edges.map(|touch| [touch.first, touch.second]).collect();
+        let scene = self.ground.scene(dt, look);
+        self.nodes.par_iter_mut().for_each(|run| run.advance(&scene));
+        let of_nodes = self.nodes.iter().flat_map(|run| &run.touches).filter(|touch| touch.is_closed());
+        let component = |touch: &Touch| (touch.first, self.ground.surface.faces[touch.second as usize].component);
+        let closed = Closed { crossing, nodes: of_nodes.map(component).collect() };
+        self.edges.par_iter_mut().for_each(|run| run.advance(&scene, &closed));
+    }
+
+    /// Sums what all touches do, in their order.
+    fn sum(&mut self) {
+        let carriers = &mut self.ground.carriers;
+        let of_nodes = self.nodes.iter().flat_map(|run| &run.touches);
+        for touch in of_nodes.chain(self.edges.iter().flat_map(|run| &run.touches)) {
+            self.work += touch.work;
+            self.rubbed += touch.rubbed;
+            if touch.is_closed() {
+                carriers.stiffen(&touch.row, touch.rates);
+                touch.row.iter().for_each(|&(node, d)| carriers.force[node as usize] += touch.point.force * d);
+            }
+        }
+    }
+}
+
+impl ExplicitTerm for GeneralContact {
+    fn name(&self) -> &str {
+        &self.name
+    }
+
+    fn weigh(&mut self, mass: &[f64]) {
+        self.ground.carriers.weigh(mass);
+    }
+
+    fn advance(&mut self, at: &Moving, forces: &mut [f64]) -> Result<Advance, Halt> {
+        if self.ground.penalties.is_empty() {
+            self.stiffen(at.stable);
+        }
+        self.ground.carriers.update(at.u, at.v);
+        let way = self.travel(at.dt);
+        let look = self.search(way, at.dt);
+        self.meet(at.dt, look);
+        self.sum();
+        self.ground.carriers.scatter(forces);
+        let [rate, damping] = self.ground.carriers.rates();
+        Ok(Advance { rate, damping, ..Advance::default() })
+    }
+
+    fn stored(&self) -> f64 {
+        self.work
+    }
+}
