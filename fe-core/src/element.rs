@@ -33,6 +33,7 @@ pub enum ElementType {
     DASHPOT2,
     DASHPOTA,
     MASS,
+    ROTARYI,
     GAPUNI,
     GAPCYL,
     GAPSPHER,
@@ -58,6 +59,8 @@ pub enum Family {
     Dashpot,
     /// The mass of a node.
     Mass,
+    /// The rotary inertia of a node.
+    RotaryInertia,
     /// Contact between two nodes.
     Gap,
     /// Contact of a node with a line of others, tube in tube.
@@ -86,7 +89,7 @@ pub enum Space {
 use ElementType::*;
 
 /// One line an element: type, name, shape, family, space.
-const TABLE: [(ElementType, &str, CellKind, Family, Space); 35] = [
+const TABLE: [(ElementType, &str, CellKind, Family, Space); 36] = [
     (C3D4, "C3D4", CellKind::Tet4, Family::Solid, Space::Solid),
     (C3D10, "C3D10", CellKind::Tet10, Family::Solid, Space::Solid),
     (C3D8, "C3D8", CellKind::Hex8, Family::Solid, Space::Solid),
@@ -114,6 +117,7 @@ const TABLE: [(ElementType, &str, CellKind, Family, Space); 35] = [
     (DASHPOT2, "DASHPOT2", CellKind::Line2, Family::Dashpot, Space::Any),
     (DASHPOTA, "DASHPOTA", CellKind::Line2, Family::Dashpot, Space::Any),
     (MASS, "MASS", CellKind::Point1, Family::Mass, Space::Any),
+    (ROTARYI, "ROTARYI", CellKind::Point1, Family::RotaryInertia, Space::Any),
     (GAPUNI, "GAPUNI", CellKind::Line2, Family::Gap, Space::Any),
     (GAPCYL, "GAPCYL", CellKind::Line2, Family::Gap, Space::Any),
     (GAPSPHER, "GAPSPHER", CellKind::Line2, Family::Gap, Space::Any),
@@ -174,6 +178,8 @@ impl ElementType {
     pub const fn freedoms(self, dimension: usize) -> u8 {
         match (self, dimension) {
             (SPRING1 | SPRING2 | DASHPOT1 | DASHPOT2 | R2D2 | R3D3 | R3D4, _) => 0,
+            (ROTARYI, 2) => 0b100000,
+            (ROTARYI, _) => 0b111000,
             (B21 | B23, _) => 0b100011,
             (B31 | B33, _) => 0b111111,
             (_, 2) => 0b11,

@@ -51,6 +51,11 @@ impl Freedoms {
         self.of_node(node).find(|&f| self.components[f] as usize == component)
     }
 
+    /// First rotation of each node that has three of them.
+    pub fn rotations(&self) -> impl Iterator<Item = usize> + '_ {
+        (0..self.components.len().saturating_sub(2)).filter(|&f| self.components[f..f + 3] == [3, 4, 5])
+    }
+
     /// Direction of a freedom, 0..6.
     pub fn component(&self, freedom: usize) -> usize {
         self.components[freedom] as usize

@@ -3,6 +3,7 @@
 use crate::element::{ElementType, Family};
 use crate::material::Damping;
 use fe_mesh::CellId;
+use nalgebra::Matrix3;
 use std::f64::consts::PI;
 
 /// Solid cells of one element type with one material: a block of like elements.
@@ -148,6 +149,25 @@ pub struct Discrete {
     pub magnitude: f64,
     /// Freedom, from 0, of each of the nodes; those of masses and of elements along their line are not looked at.
     pub components: [u8; 2],
+}
+
+/// Rotary inertia of nodes, one tensor for all.
+#[derive(Clone, Debug, PartialEq)]
+pub struct RotaryInertia {
+    /// The cells, ascending.
+    pub cells: Vec<CellId>,
+    /// I₁₁ = ∫ (x₂² + x₃²) dm, I₂₂, I₃₃ [M L²], in global axes at the start; in the plane I₃₃ alone.
+    pub moments: [f64; 3],
+    /// Entries I₁₂, I₁₃, I₂₃ of the tensor [M L²], I₁₂ = −∫ x₁ x₂ dm.
+    pub products: [f64; 3],
+}
+
+impl RotaryInertia {
+    /// The tensor.
+    pub fn tensor(&self) -> Matrix3<f64> {
+        let ([i11, i22, i33], [i12, i13, i23]) = (self.moments, self.products);
+        Matrix3::new(i11, i12, i13, i12, i22, i23, i13, i23, i33)
+    }
 }
 
 #[cfg(test)]

@@ -3,7 +3,7 @@
 use crate::element::{ElementType, Space};
 use crate::freedoms::Freedoms;
 use crate::material::Material;
-pub use crate::section::{Discrete, Hourglass, HourglassControl, LineSection, Profile, Section};
+pub use crate::section::{Discrete, Hourglass, HourglassControl, LineSection, Profile, RotaryInertia, Section};
 use fe_mesh::{CellId, Mesh};
 
 /// Mesh, materials and sections. Every mesh block is of one element type; points that belong to no cell
@@ -23,6 +23,8 @@ pub struct Structure {
     pub lines: Vec<LineSection>,
     /// Springs, dashpots and masses.
     pub discrete: Vec<Discrete>,
+    /// Rotary inertias.
+    pub rotary: Vec<RotaryInertia>,
     /// Nodes of slide lines, which have the freedoms of the elements that follow them.
     pub slide_nodes: Vec<u32>,
 }
@@ -71,11 +73,12 @@ impl Structure {
         masks
     }
 
-    /// The cells of every section: solids, trusses and beams, springs and the like.
+    /// The cells of every section: solids, trusses and beams, springs and the like, rotary inertias.
     pub fn section_cells(&self) -> impl Iterator<Item = &[CellId]> {
         let solids = self.sections.iter().map(|s| s.cells.as_slice());
         let lines = self.lines.iter().map(|s| s.cells.as_slice());
-        solids.chain(lines).chain(self.discrete.iter().map(|s| s.cells.as_slice()))
+        let discrete = self.discrete.iter().map(|s| s.cells.as_slice());
+        solids.chain(lines).chain(discrete).chain(self.rotary.iter().map(|s| s.cells.as_slice()))
     }
 
     /// Section of a truss or beam.

@@ -29,6 +29,10 @@ pub(super) struct Body {
     /// Force [F] and moment about the reference node [F L] of the increment.
     force: Vec3,
     moment: Vec3,
+    /// 1/m [1/M], and 1 over the least moment of inertia [1/(M L²)]; 0 where there is none.
+    inverse: [f64; 2],
+    /// Sums of stiffness and of viscosity over mass of the increment [1/T², 1/T].
+    rates: [f64; 2],
 }
 
 impl Body {
@@ -45,6 +49,8 @@ impl Body {
             spin: Vec3::zeros(),
             force: Vec3::zeros(),
             moment: Vec3::zeros(),
+            inverse: [0.0; 2],
+            rates: [0.0; 2],
         }
     }
 
@@ -53,7 +59,7 @@ impl Body {
         let (shift, turn) = (of(u, 0), of(u, 3));
         (self.velocity, self.spin) = (of(v, 0), of(v, 3));
         (self.place, self.rotation) = (self.start + shift, Rotation3::new(turn));
-        (self.force, self.moment) = (Vec3::zeros(), Vec3::zeros());
+        (self.force, self.moment, self.rates) = (Vec3::zeros(), Vec3::zeros(), [0.0; 2]);
     }
 
     /// Where a point of it is now that was at `x` at the start, in the coordinates of the start.
@@ -89,10 +95,25 @@ impl Body {
         }
     }
 
-    /// Mass that stands behind a push; 0 where the body is held, or has none: as far as contact is concerned, it is there
-    /// without end.
-    fn mass(&self, mass: &[f64]) -> f64 {
-        self.freedoms[0].map_or(0.0, |f| mass[f])
+    /// Takes its masses from those of all freedoms.
+    fn weigh(&mut self, mass: &[f64]) {
+        let least = |freedoms: &[Option<usize>]| {
+            let own = freedoms.iter().flatten().map(|&f| mass[f]).filter(|m| *m > 0.0);
+            own.reduce(f64::min).map_or(0.0, f64::recip)
+        };
+        self.inverse = [least(&self.freedoms[..3]), least(&self.freedoms[3..])];
+    }
+
+    /// Most that a push at a point moves it there [1/M], 1/m + r²/J with the least moment of inertia; 0 where it has no mass: as
+    /// far as contact is concerned, it is there without end.
+    pub fn inverse_mass_at(&self, x: &Vec3) -> f64 {
+        self.inverse[0] + self.inverse[1] * (x - self.place).norm_squared()
+    }
+
+    /// A part of a stiffness [F/L] and of a viscosity [F T/L] at a point.
+    pub fn stiffen(&mut self, x: &Vec3, values: [f64; 2]) {
+        let inverse = self.inverse_mass_at(x);
+        (0..2).for_each(|k| self.rates[k] += inverse * values[k]);
     }
 }
 
@@ -118,8 +139,8 @@ pub(super) struct Carriers {
     pub v: Vec<Vec3>,
     /// Forces [F] of the increment.
     pub force: Vec<Vec3>,
-    /// Masses [M]; 0 of rigid bodies without one.
-    pub mass: Vec<f64>,
+    /// 1 over the masses [1/M] that the nodes have for a push, at the start; 0 of rigid bodies without one.
+    pub inverse_mass: Vec<f64>,
     /// Row sums of stiffness [F/L] and of viscosity [F T/L] of the increment.
     sums: Vec<[f64; 2]>,
 }
@@ -162,7 +183,7 @@ impl Carriers {
             bodies,
             v: zero(),
             force: zero(),
-            mass: vec![0.0; count],
+            inverse_mass: vec![0.0; count],
             sums: vec![[0.0; 2]; count],
         }
     }
@@ -187,10 +208,16 @@ impl Carriers {
     }
 
     pub fn weigh(&mut self, mass: &[f64]) {
-        for (own, carrier) in self.mass.iter_mut().zip(&self.carriers) {
-            *own = match *carrier {
-                Carrier::Free(first, _) => mass[first],
-                Carrier::Rigid(body) => self.bodies[body].mass(mass),
+        self.bodies.iter_mut().for_each(|body| body.weigh(mass));
+        for i in 0..self.nodes.len() {
+            self.inverse_mass[i] = match self.carriers[i] {
+                Carrier::Free(first, _) if mass[first] > 0.0 => 1.0 / mass[first],
+                Carrier::Free(..) => 0.0,
+                // The arm stays as the body turns.
+                Carrier::Rigid(body) => {
+                    let body = &self.bodies[body];
+                    body.inverse[0] + body.inverse[1] * (self.start[i] - body.start).norm_squared()
+                }
             };
         }
     }
@@ -227,27 +254,44 @@ impl Carriers {
     /// Mass [M] that nodes have against each other whose distance moves by so much with each: 1/m = Σ d²/m_i; nodes without a
     /// mass count as held.
     pub fn mass_of(&self, row: &[(u32, f64)]) -> f64 {
-        let each = |&(node, d): &(u32, f64)| (d, self.mass[node as usize]);
-        let inverse: f64 = row.iter().map(each).filter(|(d, m)| *d != 0.0 && *m > 0.0).map(|(d, m)| d * d / m).sum();
+        let inverse: f64 = row.iter().map(|&(node, d)| d * d * self.inverse_mass[node as usize]).sum();
+        if inverse > 0.0 { 1.0 / inverse } else { 0.0 }
+    }
+
+    /// The same of a node and the first body, whose surface it meets.
+    pub fn mass_on_surface(&self, node: u32) -> f64 {
+        let inverse = self.inverse_mass[node as usize] + self.bodies[0].inverse_mass_at(&self.x[node as usize]);
         if inverse > 0.0 { 1.0 / inverse } else { 0.0 }
     }
 
     /// A stiffness and a viscosity of a distance that moves by so much with each node: adds |d_i| Σ |d_j| times them to the rows.
     pub fn stiffen(&mut self, row: &[(u32, f64)], values: [f64; 2]) {
-        let moves = |entry: &&(u32, f64)| self.mass[entry.0 as usize] > 0.0;
+        let moves = |entry: &&(u32, f64)| self.inverse_mass[entry.0 as usize] > 0.0;
         let all: f64 = row.iter().filter(moves).map(|entry| entry.1.abs()).sum();
         for &(i, d) in row {
-            (0..2).for_each(|k| self.sums[i as usize][k] += d.abs() * all * values[k]);
+            let values = values.map(|value| d.abs() * all * value);
+            match self.carriers[i as usize] {
+                Carrier::Free(..) => (0..2).for_each(|k| self.sums[i as usize][k] += values[k]),
+                Carrier::Rigid(body) => self.bodies[body].stiffen(&self.x[i as usize], values),
+            }
         }
+    }
+
+    /// The same of a node and the first body, whose surface it meets.
+    pub fn stiffen_on_surface(&mut self, node: u32, values: [f64; 2]) {
+        let (x, own) = (self.x[node as usize], self.inverse_mass[node as usize] > 0.0);
+        let body = &mut self.bodies[0];
+        let both = own && body.inverse_mass_at(&x) > 0.0;
+        let values = if both { values.map(|value| 2.0 * value) } else { values };
+        body.stiffen(&x, values);
+        self.stiffen(&[(node, 1.0)], values);
     }
 
     /// Largest row sums over mass [1/T², 1/T].
     pub fn rates(&self) -> [f64; 2] {
-        let mut rates = [0.0f64; 2];
-        for (sums, mass) in self.sums.iter().zip(&self.mass).filter(|(_, mass)| **mass > 0.0) {
-            (0..2).for_each(|k| rates[k] = rates[k].max(sums[k] / mass));
-        }
-        rates
+        let nodes = self.sums.iter().zip(&self.inverse_mass).map(|(sums, inverse)| sums.map(|sum| sum * inverse));
+        let all = nodes.chain(self.bodies.iter().map(|body| body.rates));
+        all.fold([0.0; 2], |most, rates| [most[0].max(rates[0]), most[1].max(rates[1])])
     }
 
     pub fn scatter(&mut self, forces: &mut [f64]) {

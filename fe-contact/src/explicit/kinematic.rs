@@ -30,6 +30,8 @@ const ROUNDING: f64 = 1e-15;
 struct Row {
     /// Freedoms, with how far the distance grows as they move.
     entries: Vec<(usize, f64)>,
+    /// Velocity that an impulse of 1 gives to each, M⁻¹ Jᵀ [1/M].
+    gains: Vec<f64>,
     /// J M⁻¹ Jᵀ [1/M]; 0 where all is held.
     compliance: f64,
     /// Rate of the distance without this pair, and the same before the forces of the increment [L/T].
@@ -41,10 +43,10 @@ struct Row {
 
 impl Row {
     fn new(entries: Vec<(usize, f64)>, at: &Predicted) -> Self {
-        let free = || entries.iter().filter(|entry| !at.is_prescribed[entry.0]);
-        let compliance = free().map(|&(f, d)| d * d / at.mass[f]).sum();
-        let gained: f64 = free().map(|&(f, d)| d * at.force[f] / at.mass[f] * at.mean).sum();
-        let mut row = Row { entries, compliance, ..Row::default() };
+        let gains = at.gains(&entries);
+        let compliance = entries.iter().zip(&gains).map(|(entry, gain)| entry.1 * gain).sum();
+        let gained: f64 = entries.iter().zip(&gains).map(|(entry, gain)| gain * at.force[entry.0] * at.mean).sum();
+        let mut row = Row { entries, gains, compliance, ..Row::default() };
         row.rate = row.rate(at);
         row.before = row.rate - gained;
         row
@@ -63,9 +65,7 @@ impl Row {
     fn change(&mut self, impulse: f64, at: &mut Predicted) -> f64 {
         let more = impulse - self.impulse;
         self.impulse = impulse;
-        for &(f, d) in self.entries.iter().filter(|entry| !at.is_prescribed[entry.0]) {
-            at.v[f] += more * d / at.mass[f];
-        }
+        self.entries.iter().zip(&self.gains).for_each(|(entry, gain)| at.v[entry.0] += more * gain);
         more.abs() * self.compliance * at.dt
     }
 }
@@ -186,11 +186,11 @@ impl ContactPair {
                 let free = |entry: &&(usize, f64)| !at.is_prescribed[entry.0];
                 let held: f64 = row.entries.iter().filter(|e| !free(e)).map(|&(f, d)| d * at.v[f]).sum();
                 self.work -= 0.5 * row.impulse * (row.before + row.rate(at) - 2.0 * held);
-                for &(f, d) in &row.entries {
+                for (&(f, d), gain) in row.entries.iter().zip(&row.gains) {
                     if at.is_prescribed[f] {
                         *self.reactions.entry(f).or_insert(0.0) += row.impulse * d / at.mean;
                     } else {
-                        at.u[f] += row.impulse * d / at.mass[f] * at.dt;
+                        at.u[f] += row.impulse * gain * at.dt;
                     }
                 }
             }

@@ -26,17 +26,22 @@ impl ContactPair {
                 self.points[i] = Point { gap: f64::INFINITY, force: Vec3::zeros(), ..open(&point) };
                 continue;
             };
-            let main: Vec3 = match &self.target {
-                Target::Faces(_) => hit.shares.iter().map(|&(node, w)| self.carriers.v[node as usize] * w).sum(),
-                Target::Rigid(_) => self.carriers.bodies[0].velocity_at(&x),
-            };
             let [a, b, c, d] = hit.shares;
             let row = [(point.index, 1.0), a, b, c, d];
+            let (main, mass): (Vec3, f64) = match &self.target {
+                Target::Faces(_) => {
+                    let velocity = hit.shares.iter().map(|&(node, w)| self.carriers.v[node as usize] * w).sum();
+                    (velocity, self.carriers.mass_of(&row))
+                }
+                Target::Rigid(_) => {
+                    (self.carriers.bodies[0].velocity_at(&x), self.carriers.mass_on_surface(point.index))
+                }
+            };
             let meeting = Meeting {
                 gap: hit.gap,
                 normal: hit.normal,
                 moved: (v - main) * at.dt,
-                mass: self.carriers.mass_of(&row),
+                mass,
                 dt: at.dt,
                 space: self.space,
             };
@@ -48,13 +53,16 @@ impl ContactPair {
             if force == Vec3::zeros() {
                 continue;
             }
-            self.carriers.stiffen(&row, answer.rates);
             self.carriers.force[index] += force;
             match &self.target {
                 Target::Faces(_) => {
+                    self.carriers.stiffen(&row, answer.rates);
                     hit.shares.iter().for_each(|&(node, w)| self.carriers.force[node as usize] -= force * w);
                 }
-                Target::Rigid(_) => self.carriers.bodies[0].push(&-force, &x),
+                Target::Rigid(_) => {
+                    self.carriers.stiffen_on_surface(point.index, answer.rates);
+                    self.carriers.bodies[0].push(&-force, &x);
+                }
             }
         }
         self.carriers.scatter(forces);
@@ -66,8 +74,8 @@ impl ContactPair {
     fn stiffen(&mut self, increment: f64) {
         let Enforcement::Penalty(scale) = self.definition.enforcement else { return };
         for point in &mut self.points {
-            let mass = self.carriers.mass[point.index as usize];
-            point.penalty = if increment.is_finite() { scale * PENALTY * mass / (increment * increment) } else { 0.0 };
+            let inverse = self.carriers.inverse_mass[point.index as usize] * increment * increment;
+            point.penalty = if inverse.is_finite() && inverse > 0.0 { scale * PENALTY / inverse } else { 0.0 };
         }
         self.has_penalty = true;
     }

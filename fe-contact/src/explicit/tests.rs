@@ -22,6 +22,7 @@ use std::sync::Arc;
 
 mod bonded;
 mod kinematic;
+mod rigid;
 
 /// Points with a mass each; further points without one.
 fn masses(points: &[([f64; 3], f64)]) -> Structure {
@@ -102,7 +103,7 @@ impl Scene {
         let mut references: Vec<u32> = held.iter().map(|h| h.0).collect();
         references.dedup();
         let freedoms = structure.freedoms(&references);
-        let mut state = State::rest(freedoms.len());
+        let mut state = State::rest(&freedoms);
         v.iter().for_each(|&(n, c, value)| state.v[freedoms.index(n as usize, c).unwrap()] = value);
         let mut lines = Lines::new(structure, &freedoms, 0.0);
         let mut pair = ContactPair::new(structure, &freedoms, definition, &[]);

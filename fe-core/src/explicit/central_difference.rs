@@ -1,9 +1,12 @@
 //! Central differences: velocities stand in the middle of the increments.
 //!
 //! v(n+½) = v(n−½) + a(n) (Δt(n−1) + Δt(n))/2, u(n+1) = u(n) + v(n+½) Δt(n), a = M⁻¹ f. With a constant increment
-//! ½ v(n−½) M v(n+½) plus what the forces have taken, by the trapezoidal rule, is constant to rounding.
+//! ½ v(n−½) M v(n+½) plus what the forces have taken, by the trapezoidal rule, is constant to rounding. Nodes with rotations in
+//! space: [`super::rotation`].
 
+use super::rotation::Triad;
 use super::{Advance, ExplicitTerm, Halt, Moving, Predicted};
+use crate::freedoms::Freedoms;
 use crate::load::Prescribed;
 use crate::ramp::Ramp;
 
@@ -21,7 +24,7 @@ pub struct Support {
 /// The state of a motion.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct State {
-    /// Displacement since the start, over all freedoms [L or rad].
+    /// Displacement since the start, over all freedoms [L or rad]; rotations in space are a rotation vector.
     pub u: Vec<f64>,
     /// Velocity in the middle of the last increment [L/T or 1/T]; before the first one that of the start.
     pub v: Vec<f64>,
@@ -35,13 +38,15 @@ pub struct State {
     pub total_time: f64,
     /// Work of supports so far [F L].
     pub work: f64,
+    /// First rotation of each node that has three of them.
+    pub rotations: Vec<usize>,
 }
 
 impl State {
-    /// So many freedoms at rest.
-    pub fn rest(freedoms: usize) -> Self {
-        let zero = || vec![0.0; freedoms];
-        State { u: zero(), v: zero(), force: zero(), ..State::default() }
+    /// All at rest.
+    pub fn rest(freedoms: &Freedoms) -> Self {
+        let zero = || vec![0.0; freedoms.len()];
+        State { u: zero(), v: zero(), force: zero(), rotations: freedoms.rotations().collect(), ..State::default() }
     }
 }
 
@@ -51,8 +56,9 @@ pub type Terms<'t> = [&'t mut dyn ExplicitTerm];
 /// One step by central differences.
 #[derive(Debug)]
 pub struct CentralDifference {
-    /// Mass or moment of inertia of each freedom; 0 where nothing moves.
+    /// Mass or moment of inertia of each freedom; 0 where nothing moves; of a tensor the least principal one.
     mass: Vec<f64>,
+    triads: Vec<Triad>,
     supports: Vec<Support>,
     is_prescribed: Vec<bool>,
     period: f64,
@@ -73,9 +79,17 @@ impl CentralDifference {
     ) -> Result<Self, Halt> {
         let mut mass = vec![0.0; state.u.len()];
         terms.iter().for_each(|term| term.add_mass(&mut mass));
-        terms.iter_mut().for_each(|term| term.weigh(&mass));
         let mut is_prescribed = vec![false; mass.len()];
         supports.iter().for_each(|support| is_prescribed[support.freedom] = true);
+        let rotary: Vec<_> = terms.iter().flat_map(|term| term.rotary().iter().copied()).collect();
+        let mut triads = Vec::with_capacity(state.rotations.len());
+        for &first in &state.rotations {
+            let tensors = rotary.iter().filter(|tensor| tensor.0 == first).map(|tensor| tensor.1);
+            let mut triad = Triad::new(first, &state.u, tensors);
+            triad.weigh(&mut mass, &is_prescribed)?;
+            triads.push(triad);
+        }
+        terms.iter_mut().for_each(|term| term.weigh(&mass));
         if let Some(freedom) = (0..mass.len()).find(|&f| mass[f] <= 0.0 && !is_prescribed[f]) {
             return Err(Halt::Massless { freedom });
         }
@@ -83,7 +97,7 @@ impl CentralDifference {
         let at =
             Moving { u: &state.u, v: &state.v, step_time: 0.0, total_time: state.total_time, dt: 0.0, stable: most };
         let advance = act(terms, &at, &mut state.force)?;
-        Ok(CentralDifference { mass, supports, is_prescribed, period, advance })
+        Ok(CentralDifference { mass, triads, supports, is_prescribed, period, advance })
     }
 
     /// What the terms say of the largest stable increment at present.
@@ -97,23 +111,16 @@ impl CentralDifference {
     /// Where an element is lost or the motion has no end.
     pub fn advance(&mut self, terms: &mut Terms, state: &mut State, dt: f64) -> Result<(), Halt> {
         let mean = 0.5 * (state.dt + dt);
+        self.triads.iter_mut().for_each(|triad| triad.begin(&state.v, state.dt));
         let free = state.v.iter_mut().zip(&state.force).zip(&self.mass).zip(&self.is_prescribed);
         for (((v, f), m), prescribed) in free {
             if !prescribed {
                 *v += f / m * mean;
             }
         }
-        let (step_time, total_time) = (state.step_time + dt, state.total_time + dt);
-        let mut before = Vec::with_capacity(self.supports.len());
-        for support in &self.supports {
-            let f = support.freedom;
-            before.push((state.force[f], state.v[f]));
-            let course = |back: f64| support.course.at(step_time - back, total_time - back, self.period);
-            state.v[f] = match support.kind {
-                Prescribed::Displacement => (course(0.0) - state.u[f]) / dt,
-                Prescribed::Velocity => course(0.5 * dt),
-                Prescribed::Acceleration => state.v[f] + course(dt) * mean,
-            };
+        let before = self.prescribe(state, (dt, mean));
+        for triad in &mut self.triads {
+            triad.accelerate(state, (dt, mean), &self.is_prescribed)?;
         }
         state.u.iter_mut().zip(&state.v).for_each(|(u, v)| *u += v * dt);
         let mut predicted = Predicted {
@@ -124,32 +131,80 @@ impl CentralDifference {
             is_prescribed: &self.is_prescribed,
             dt,
             mean,
+            triads: &self.triads,
         };
         terms.iter_mut().for_each(|term| term.correct(&mut predicted));
-        (state.step_time, state.total_time, state.dt) = (step_time, total_time, dt);
+        for triad in &mut self.triads {
+            triad.turn(state, dt, &self.is_prescribed)?;
+        }
+        (state.step_time, state.total_time, state.dt) = (state.step_time + dt, state.total_time + dt, dt);
+        let (step_time, total_time) = (state.step_time, state.total_time);
         let at = Moving { u: &state.u, v: &state.v, step_time, total_time, dt, stable: dt };
         self.advance = act(terms, &at, &mut state.force)?;
         for (&Support { freedom, .. }, (force, old)) in self.supports.iter().zip(before) {
             // What it gave in kinetic energy, and what it held the other forces with.
             let v = state.v[freedom];
-            state.work += 0.5 * (self.mass[freedom] * (v * v - old * old) - (force + state.force[freedom]) * v * dt);
+            let gained = match self.triad_of(freedom) {
+                Some((triad, component)) if triad.has_tensor() => triad.gained(component).into_iter().product(),
+                _ => self.mass[freedom] * (v * v - old * old),
+            };
+            state.work += 0.5 * (gained - (force + state.force[freedom]) * v * dt);
         }
         Ok(())
     }
 
+    /// Sets the velocities of supports; what they had as force and velocity before.
+    fn prescribe(&self, state: &mut State, (dt, mean): (f64, f64)) -> Vec<(f64, f64)> {
+        let (step_time, total_time) = (state.step_time + dt, state.total_time + dt);
+        let mut before = Vec::with_capacity(self.supports.len());
+        for support in &self.supports {
+            let f = support.freedom;
+            before.push((state.force[f], state.v[f]));
+            let course = |back: f64| support.course.at(step_time - back, total_time - back, self.period);
+            let from = self.triad_of(f).map_or(state.u[f], |(triad, component)| triad.turned(component));
+            state.v[f] = match support.kind {
+                Prescribed::Displacement => (course(0.0) - from) / dt,
+                Prescribed::Velocity => course(0.5 * dt),
+                Prescribed::Acceleration => state.v[f] + course(dt) * mean,
+            };
+        }
+        before
+    }
+
+    /// The node in space that a freedom turns, and about which axis.
+    fn triad_of(&self, freedom: usize) -> Option<(&Triad, usize)> {
+        let place = self.triads.partition_point(|triad| triad.first + 2 < freedom);
+        let triad = self.triads.get(place).filter(|triad| triad.first <= freedom)?;
+        Some((triad, freedom - triad.first))
+    }
+
+    fn tensors(&self) -> impl Iterator<Item = &Triad> {
+        self.triads.iter().filter(|triad| triad.has_tensor())
+    }
+
     /// Kinetic energy [F L] at the end of the last increment, ½ v M v.
     pub fn kinetic(&self, state: &State) -> f64 {
-        self.velocity(state).iter().zip(&self.mass).map(|(v, m)| 0.5 * m * v * v).sum()
+        let velocity = self.velocity(state);
+        let turning = |triad: &Triad| {
+            let [omega, momentum] = triad.at_end(state, &self.is_prescribed);
+            let own = triad.first..triad.first + 3;
+            0.5 * omega.dot(&momentum) - own.map(|f| 0.5 * self.mass[f] * velocity[f] * velocity[f]).sum::<f64>()
+        };
+        let straight: f64 = velocity.iter().zip(&self.mass).map(|(v, m)| 0.5 * m * v * v).sum();
+        straight + self.tensors().map(turning).sum::<f64>()
     }
 
     /// What stands for it in the balance [F L]: ½ v(n−½) M v(n+½), which increments of the same length conserve. It is less by
     /// ⅛ Δt² a M a, and may be below 0.
     pub fn conserved(&self, state: &State) -> f64 {
-        let each = |f: usize| {
-            let next = if self.is_prescribed[f] { 0.0 } else { state.force[f] * state.dt };
-            0.5 * state.v[f] * (self.mass[f] * state.v[f] + next)
+        let next = |f: usize| if self.is_prescribed[f] { 0.0 } else { state.force[f] * state.dt };
+        let each = |f: usize| 0.5 * state.v[f] * (self.mass[f] * state.v[f] + next(f));
+        let turning = |triad: &Triad| {
+            let [_, momentum] = triad.middle(state);
+            let own = triad.first..triad.first + 3;
+            own.map(|f| 0.5 * state.v[f] * (momentum[f - triad.first] - self.mass[f] * state.v[f])).sum::<f64>()
         };
-        (0..state.v.len()).map(each).sum()
+        (0..state.v.len()).map(each).sum::<f64>() + self.tensors().map(turning).sum::<f64>()
     }
 
     /// Velocity [L/T or 1/T] at the end of the last increment.
@@ -158,7 +213,12 @@ impl CentralDifference {
             let gained = if self.is_prescribed[f] { 0.0 } else { 0.5 * state.dt * state.force[f] / self.mass[f] };
             state.v[f] + gained
         };
-        (0..state.v.len()).map(each).collect()
+        let mut velocity: Vec<f64> = (0..state.v.len()).map(each).collect();
+        for triad in self.tensors() {
+            let [omega, _] = triad.at_end(state, &self.is_prescribed);
+            velocity[triad.first..triad.first + 3].copy_from_slice(omega.as_slice());
+        }
+        velocity
     }
 }
 

@@ -1,5 +1,7 @@
-//! Two-node elements that act along their line or along fixed freedoms: trusses, springs, dashpots; and point masses.
+//! Two-node elements that act along their line or along fixed freedoms: trusses, springs, dashpots; and masses and rotary
+//! inertias of nodes.
 
+use super::rotation::Rotary;
 use super::{Advance, ExplicitTerm, Halt, Moving};
 use crate::element::{ElementType, Family};
 use crate::freedoms::Freedoms;
@@ -44,12 +46,14 @@ struct Element {
     viscous: f64,
 }
 
-/// All trusses, springs, dashpots and masses of a scene.
+/// All trusses, springs, dashpots, masses and rotary inertias of a scene.
 #[derive(Clone, Debug)]
 pub struct Lines {
     elements: Vec<Element>,
     /// Point masses on freedoms.
     masses: Vec<(usize, f64)>,
+    /// Tensors of inertia of nodes in space.
+    rotary: Vec<Rotary>,
     /// Linear bulk viscosity [-] of trusses.
     viscosity: f64,
     /// Largest sums of stiffness and of viscosity over mass of a node [1/T², 1/T].
@@ -108,7 +112,17 @@ impl Lines {
                 elements.push(Element { cell, answer, reach, length, mass: 0.0, damping, now, viscous: 0.0 });
             }
         }
-        Lines { elements, masses, viscosity, rates: [0.0; 2], stored: 0.0, dissipated: 0.0 }
+        let mut rotary = Vec::new();
+        for section in &structure.rotary {
+            for &cell in &section.cells {
+                let node = mesh.cell(cell)[0] as usize;
+                match freedoms.index(node, 3) {
+                    Some(first) => rotary.push((first, section.tensor())),
+                    None => masses.extend(freedoms.index(node, 5).map(|f| (f, section.moments[2]))),
+                }
+            }
+        }
+        Lines { elements, masses, rotary, viscosity, rates: [0.0; 2], stored: 0.0, dissipated: 0.0 }
     }
 
     /// From now on with another linear bulk viscosity [-].
@@ -130,7 +144,7 @@ impl Lines {
 
     /// True where there are none.
     pub fn is_empty(&self) -> bool {
-        self.elements.is_empty() && self.masses.is_empty()
+        self.elements.is_empty() && self.masses.is_empty() && self.rotary.is_empty()
     }
 }
 
@@ -167,6 +181,10 @@ impl ExplicitTerm for Lines {
             element.freedoms().for_each(|f| mass[f] += element.mass);
         }
         self.masses.iter().for_each(|&(f, m)| mass[f] += m);
+    }
+
+    fn rotary(&self) -> &[Rotary] {
+        &self.rotary
     }
 
     fn weigh(&mut self, mass: &[f64]) {

@@ -4,6 +4,7 @@ pub mod central_difference;
 pub mod line;
 pub mod loads;
 pub mod mass_damping;
+pub mod rotation;
 pub mod solid;
 
 use fe_mesh::CellId;
@@ -41,6 +42,27 @@ pub struct Predicted<'a> {
     pub dt: f64,
     /// Time [T] over which forces have changed the velocity: the mean of this increment and the one before.
     pub mean: f64,
+    /// Nodes that turn in space.
+    triads: &'a [rotation::Triad],
+}
+
+impl Predicted<'_> {
+    /// Velocity that an impulse of 1 along a row gives to each of its freedoms, M⁻¹ Jᵀ: 0 where supports move them. A row that
+    /// turns a node in space has all three rotations.
+    pub fn gains(&self, row: &[(usize, f64)]) -> Vec<f64> {
+        let each = |&(f, d): &(usize, f64)| if self.is_prescribed[f] { 0.0 } else { d / self.mass[f] };
+        let mut gains: Vec<f64> = row.iter().map(each).collect();
+        for triad in self.triads.iter().filter(|triad| triad.has_tensor()) {
+            let place = |c: usize| row.iter().position(|entry| entry.0 == triad.first + c);
+            let places = [place(0), place(1), place(2)];
+            if let [Some(_), Some(_), Some(_)] = places {
+                let of = nalgebra::Vector3::from(places.map(|p| p.map_or(0.0, |p| row[p].1)));
+                let gain = triad.gain(of, self.is_prescribed);
+                places.iter().enumerate().for_each(|(c, p)| p.iter().for_each(|&p| gains[p] = gain[c]));
+            }
+        }
+        gains
+    }
 }
 
 /// What a term has to say of the increments to come.
@@ -94,6 +116,12 @@ pub enum Halt {
         /// The freedom.
         freedom: usize,
     },
+    /// A body turns too far in one increment.
+    #[error("a body turns too far in an increment")]
+    Spinning {
+        /// One of its rotations.
+        freedom: usize,
+    },
 }
 
 /// Whatever acts on the nodes in an explicit step: solids, members, loads, contact.
@@ -104,7 +132,12 @@ pub trait ExplicitTerm: Send {
     /// Adds its lumped masses [M] and moments of inertia [M L²] to the freedoms.
     fn add_mass(&self, _mass: &mut [f64]) {}
 
-    /// Is told the masses of all freedoms, its own included.
+    /// Its tensors of inertia of nodes that turn in space; they are not in [`Self::add_mass`].
+    fn rotary(&self) -> &[rotation::Rotary] {
+        &[]
+    }
+
+    /// Is told the masses of all freedoms, its own included; of a tensor of inertia the least principal moment.
     fn weigh(&mut self, _mass: &[f64]) {}
 
     /// Corrects the end of an increment before forces are found there: impulses to `v`, and what they move to `u`. Its forces

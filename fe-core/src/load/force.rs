@@ -165,7 +165,9 @@ impl Forces<'_> {
                 let node = structure.mesh.cell(cell)[0];
                 (0..structure.dimension()).try_for_each(|i| self.add(node, i, mass * direction[i]))
             }
-            Family::Spring | Family::Dashpot | Family::Gap | Family::Tube | Family::Rigid => Ok(()),
+            Family::RotaryInertia | Family::Spring | Family::Dashpot | Family::Gap | Family::Tube | Family::Rigid => {
+                Ok(())
+            }
         }
     }
 

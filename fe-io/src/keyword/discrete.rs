@@ -57,6 +57,27 @@ pub const DASHPOT: Keyword = Keyword {
     source: "Abaqus Keywords Reference, *DASHPOT",
 };
 
+pub const ROTARY_INERTIA: Keyword = Keyword {
+    name: "ROTARY INERTIA",
+    level: Level::Part,
+    summary: "gives the rotary inertia of nodes in explicit steps, in global axes at the start; it turns with the node",
+    parameters: &[
+        ELSET,
+        Parameter::not_yet("ORIENTATION", "give the tensor in global axes"),
+        Parameter::not_yet("ALPHA", "bodies are not damped against the ground"),
+        Parameter::idle("COMPOSITE", "there are no modes"),
+    ],
+    data: Data::Lines(&[DataLine::once(&[
+        Field::number("I11", "M L²", "moment of inertia about axis 1").least(0.0),
+        Field::number("I22", "M L²", "about axis 2").or("0").least(0.0),
+        Field::number("I33", "M L²", "about axis 3; in the plane the one that counts").or("0").least(0.0),
+        Field::number("I12", "M L²", "entry 12 of the tensor, −∫ x₁ x₂ dm").or("0"),
+        Field::number("I13", "M L²", "entry 13").or("0"),
+        Field::number("I23", "M L²", "entry 23").or("0"),
+    ])]),
+    source: "Abaqus Keywords Reference, *ROTARY INERTIA",
+};
+
 pub const MASS: Keyword = Keyword {
     name: "MASS",
     level: Level::Part,

@@ -74,6 +74,7 @@ pub const CARDS: &[&Keyword] = &[
     &discrete::SPRING,
     &discrete::DASHPOT,
     &discrete::MASS,
+    &discrete::ROTARY_INERTIA,
     &amplitude::AMPLITUDE,
     &surface_interaction::SURFACE_INTERACTION,
     &surface_behavior::SURFACE_BEHAVIOR,

@@ -126,7 +126,6 @@ pub(super) const CARDS: &[(&[&str], &str)] = &[
             "GASKET SECTION",
             "COHESIVE SECTION",
             "CONNECTOR SECTION",
-            "ROTARY INERTIA",
             "JOINT",
             "HOURGLASS STIFFNESS",
             "TRANSVERSE SHEAR STIFFNESS",

@@ -1,6 +1,6 @@
-//! `*SPRING`, `*DASHPOT` and `*MASS`.
+//! `*SPRING`, `*DASHPOT`, `*MASS` and `*ROTARY INERTIA`.
 
-use super::lines::line_fields;
+use super::lines::{line_fields, one_line};
 use super::scene::{Analysis, Scene};
 use super::sections::ByType;
 use crate::deck::card::Line;
@@ -8,7 +8,7 @@ use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::keyword::check::Entry;
 use crate::keyword::row::Row;
 use fe_core::element::ElementType::{self, *};
-use fe_core::structure::Discrete;
+use fe_core::structure::{Discrete, RotaryInertia};
 
 /// Reads the magnitude of a card, and the freedoms where its elements name some.
 pub fn read(entry: &Entry<'_>, of_type: ByType, scene: &mut Scene<'_>, diagnostics: &mut Diagnostics) {
@@ -44,6 +44,32 @@ pub fn read(entry: &Entry<'_>, of_type: ByType, scene: &mut Scene<'_>, diagnosti
             scene.structure.discrete.push(Discrete { element, cells, magnitude, components });
         }
     }
+}
+
+/// Reads a tensor of inertia, which a body must be able to have.
+pub fn rotary(entry: &Entry<'_>, of_type: ByType, scene: &mut Scene<'_>, diagnostics: &mut Diagnostics) {
+    if scene.structure.is_axisymmetric() {
+        let fault = Diagnostic::error(entry.card.span, "there are no rotations in an axisymmetric model");
+        diagnostics.push(fault.label("nothing turns here: leave it out"));
+        return;
+    }
+    let Some(row) = one_line(entry, scene.deck, diagnostics) else { return };
+    let numbers = [0, 1, 2, 3, 4, 5].map(|i| row.number(i).unwrap_or(0.0));
+    let [i11, i22, i33, i12, i13, i23] = numbers;
+    let (moments, products) = ([i11, i22, i33], [i12, i13, i23]);
+    let inertia = RotaryInertia { cells: of_type.into_values().flatten().collect(), moments, products };
+    let principal = inertia.tensor().symmetric_eigenvalues();
+    let (title, label) = if scene.structure.is_plane() && i33 == 0.0 {
+        ("this rotary inertia is none", "in the plane I33 counts: the third number".to_owned())
+    } else if principal.amax() == 0.0 {
+        ("this rotary inertia is none", "a tensor with entries above 0".to_owned())
+    } else if principal.min() < -1e-9 * principal.amax() {
+        ("no body has this rotary inertia", format!("about one axis it would be {:.6e}", principal.min()))
+    } else {
+        scene.structure.rotary.push(inertia);
+        return;
+    };
+    diagnostics.push(Diagnostic::error(row.span, title).label(label));
 }
 
 /// Freedoms of both nodes, from 0; `None` when they are faulty, which is told.

@@ -71,7 +71,9 @@ pub fn freedoms(scene: &mut Scene<'_>, diagnostics: &mut Diagnostics) {
 /// True when a node belongs to elements that a rigid body cannot carry at its reference node: in explicit steps it carries
 /// masses, springs and dashpots.
 fn carries(node: u32, scene: &Scene<'_>) -> bool {
-    let light = |family| matches!(family, Family::Mass | Family::Spring | Family::Dashpot | Family::Rigid);
+    let light = |family| {
+        matches!(family, Family::Mass | Family::RotaryInertia | Family::Spring | Family::Dashpot | Family::Rigid)
+    };
     let elements = scene.structure.mesh.blocks.iter().zip(&scene.structure.elements);
     let heavy = |(_, element): &(_, &ElementType)| scene.analysis == Analysis::Static || !light(element.family());
     elements.filter(heavy).any(|(block, _)| block.nodes.contains(&node))

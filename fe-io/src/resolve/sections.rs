@@ -22,6 +22,7 @@ pub const CARDS: &[(&str, &[Family])] = &[
     ("SPRING", &[Family::Spring]),
     ("DASHPOT", &[Family::Dashpot]),
     ("MASS", &[Family::Mass]),
+    ("ROTARY INERTIA", &[Family::RotaryInertia]),
     ("GAP", &[Family::Gap]),
     ("INTERFACE", &[Family::Tube]),
 ];
@@ -134,6 +135,7 @@ fn section(
         "BEAM GENERAL SECTION" => beams::read_general(entry, of_type, scene, diagnostics),
         // Read with the contact.
         "GAP" | "INTERFACE" => {}
+        "ROTARY INERTIA" => discrete::rotary(entry, of_type, scene, diagnostics),
         _ => discrete::read(entry, of_type, scene, diagnostics),
     }
 }
@@ -327,6 +329,7 @@ fn card_of(element: ElementType) -> (&'static str, &'static str) {
         Family::Spring => ("SPRING", "ELSET=…"),
         Family::Dashpot => ("DASHPOT", "ELSET=…"),
         Family::Mass => ("MASS", "ELSET=…"),
+        Family::RotaryInertia => ("ROTARY INERTIA", "ELSET=…"),
         Family::Gap => ("GAP", "ELSET=…"),
         Family::Tube => ("INTERFACE", "ELSET=…"),
         Family::Rigid => ("RIGID BODY", "REF NODE=…, ELSET=…"),

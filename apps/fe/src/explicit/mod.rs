@@ -40,7 +40,7 @@ pub fn run_model(model: &Model, job: &Path, read: f64, observer: &mut dyn Observ
     let mut scene = Scene::new(model, &first)?;
     model.notes.iter().for_each(|note| observer.event(Event::Note(note)));
     let mut record = Record::create(job, model, &scene)?;
-    let mut state = State::rest(scene.freedoms.len());
+    let mut state = State::rest(&scene.freedoms);
     for &(node, component, velocity) in &model.initial_velocities {
         if let Some(freedom) = scene.freedoms.index(node as usize, component) {
             state.v[freedom] = velocity;
@@ -69,7 +69,7 @@ pub fn check(model: &Model) -> Result<String, JobFailure> {
     let mesh = &scene.structure.mesh;
     let mut text = format!("{} nodes, {} elements\n", mesh.points.len(), mesh.cell_count());
     let mut course = Course::new(model);
-    let mut state = State::rest(scene.freedoms.len());
+    let mut state = State::rest(&scene.freedoms);
     for (index, step) in model.steps.iter().enumerate() {
         enter(model, index, &mut course, &mut scene, &state)?;
         let begun = begin((index + 1, step), &course, &mut scene, &mut state)?;
@@ -221,7 +221,16 @@ fn halted(scene: &Scene, at: (usize, f64), halt: &Halt) -> JobFailure {
         Halt::Massless { freedom } => {
             let node = mesh.point_name(scene.freedoms.node(freedom) as u32);
             let reason = format!("node {node} has no mass in direction {}", scene.freedoms.component(freedom) + 1);
-            failure(at, reason, "*DENSITY, *MASS, or hold it by *BOUNDARY")
+            let help = match scene.freedoms.component(freedom) {
+                0..3 => "*DENSITY, *MASS, or hold it by *BOUNDARY",
+                _ => "*ROTARY INERTIA, or hold it by *BOUNDARY",
+            };
+            failure(at, reason, help)
+        }
+        Halt::Spinning { freedom } => {
+            let node = mesh.point_name(scene.freedoms.node(freedom) as u32);
+            let reason = format!("node {node} turns too far in an increment");
+            failure(at, reason, "smaller increments: a fraction of a turn each")
         }
     }
 }

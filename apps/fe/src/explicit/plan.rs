@@ -32,6 +32,14 @@ pub fn plan(scene: &Scene, step: &Step, prescribed: usize, advance: &Advance) ->
         let (count, element) = (section.cells.len(), section.element.name());
         needs.push(("discrete".into(), format!("{count} {element} of {:.6e}", section.magnitude)));
     }
+    for section in &structure.rotary {
+        let [a, b, c] = section.moments;
+        let tensor = if structure.is_plane() { format!("{c:.6e}") } else { format!("{a:.6e}, {b:.6e}, {c:.6e}") };
+        needs.push((
+            "rotary inertia".into(),
+            format!("{} ROTARYI of {tensor}; it turns with the node", section.cells.len()),
+        ));
+    }
     needs.push(("unknowns".into(), format!("{unknowns}, and {prescribed} prescribed freedoms; masses are lumped")));
     let by = advance.element.map_or(String::new(), |cell| format!(", by element {}", structure.mesh.cell_name(cell)));
     needs.push(("stable".into(), format!("{} at the start{by}", scientific(advance.increment(), 6))));

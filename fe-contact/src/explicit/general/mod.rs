@@ -99,8 +99,10 @@ impl GeneralContact {
 
     /// Stiffness of hard contact of each node, for an increment [T] of the elements.
     fn stiffen(&mut self, increment: f64) {
-        let of = |&mass: &f64| if mass > 0.0 { PENALTY * mass / (increment * increment) } else { f64::INFINITY };
-        self.ground.penalties = self.ground.carriers.mass.iter().map(of).collect();
+        let of = |&inverse: &f64| {
+            if inverse > 0.0 { PENALTY / (inverse * increment * increment) } else { f64::INFINITY }
+        };
+        self.ground.penalties = self.ground.carriers.inverse_mass.iter().map(of).collect();
     }
 
     /// Counts how far things move against each other in an increment [T]: at most by the diagonal of the box of all velocities.

@@ -40,7 +40,7 @@ fn bar_on_wall(n: u32) -> Scene {
     Scene::new(&structure, hard(&[0], floor(n + 1), Enforcement::Kinematic), &[n + 1], &v)
 }
 
-fn hard(nodes: &[u32], main: MainSurface, enforcement: Enforcement) -> Definition {
+pub(super) fn hard(nodes: &[u32], main: MainSurface, enforcement: Enforcement) -> Definition {
     let law = Arc::new(Linear { slope: 1.0, clearance: 0.0 });
     let behaviour = free(Normal::Hard);
     Definition { behaviour, enforcement, ..definition(nodes, main, law) }

@@ -45,7 +45,7 @@ fn hold(freedom: usize) -> Support {
 #[test]
 fn b13_oscillator() {
     let (structure, freedoms) = oscillator(4.0, 1.0);
-    let mut state = State::rest(freedoms.len());
+    let mut state = State::rest(&freedoms);
     let (dt, v0, steps) = (0.05, 3.0, 100_000);
     state.v[0] = v0;
     let mut lines = Lines::new(&structure, &freedoms, 0.0);
@@ -99,7 +99,7 @@ fn b07_dispersion() {
         let amplitude = 1e-9;
         let (structure, freedoms) = chain(wave, (1.0, 1.0));
         let k = std::f64::consts::TAU / wave as f64;
-        let (mut state, mut lines) = (State::rest(freedoms.len()), Lines::new(&structure, &freedoms, 0.0));
+        let (mut state, mut lines) = (State::rest(&freedoms), Lines::new(&structure, &freedoms, 0.0));
         let along = |i: usize| freedoms.index(i, 0).unwrap();
         (0..=wave).for_each(|i| state.v[along(i)] = amplitude * (k * i as f64).cos());
         let supports = (0..=wave).map(|i| hold(freedoms.index(i, 1).unwrap())).collect();
@@ -125,7 +125,7 @@ fn b07_dispersion() {
 fn b06_stable_chain() {
     for (part, bounded) in [(0.999, true), (1.01, false)] {
         let (structure, freedoms) = chain(20, (1.0, 1.0));
-        let (mut state, mut lines) = (State::rest(freedoms.len()), Lines::new(&structure, &freedoms, 0.0));
+        let (mut state, mut lines) = (State::rest(&freedoms), Lines::new(&structure, &freedoms, 0.0));
         (0..=20).for_each(|i| state.v[freedoms.index(i, 0).unwrap()] = 1e-9 * ((i * i) as f64).sin());
         let supports = (0..=20).map(|i| hold(freedoms.index(i, 1).unwrap())).collect();
         let mut procedure = begin(&mut lines, supports, &mut state);
