@@ -15,8 +15,9 @@ pub struct Secondary {
 pub enum Enforcement {
     /// Springs; those of hard contact times this factor.
     Penalty(f64),
-    /// Impulses that correct the end of every increment: hard contact is kept exactly, and no increment is shortened.
-    Kinematic,
+    /// Impulses that correct the end of every increment: hard contact is kept exactly, and no increment is shortened. Where both
+    /// sides are secondary, this one has a part [-] of them, else 1.
+    Kinematic(f64),
 }
 
 /// A pair.

@@ -5,9 +5,12 @@ mod carriers;
 mod definition;
 mod foot;
 mod general;
+mod impulse;
 mod kinematic;
 mod pair;
 mod penalty;
+mod row;
+mod sides;
 mod target;
 
 pub use behaviour::{Behaviour, Normal, Separation};
@@ -15,6 +18,7 @@ pub use carriers::RigidFollower;
 pub use definition::{Definition, Enforcement, Secondary};
 pub use general::{Acting, GeneralContact, GeneralCount, GeneralDefinition, GeneralFace, Sides};
 pub use pair::{ContactPair, PointState, Unsettled};
+pub use sides::PairSides;
 pub use target::MainSurface;
 
 #[cfg(test)]

@@ -1,7 +1,9 @@
 //! A contact pair: its points, what is known of them, and who answers for it.
 
+use super::behaviour::Normal;
 use super::carriers::{Carriers, RigidFollower};
 use super::definition::{Definition, Enforcement};
+use super::sides;
 use super::target::{Faces, MainSurface, Target};
 use crate::facet::Vec3;
 use crate::point::ContactStatus;
@@ -115,6 +117,14 @@ impl ContactPair {
         }
     }
 
+    /// Its part [-] of the impulses of kinematic contact; `None` where forces act.
+    pub(super) fn part(&self) -> Option<f64> {
+        match self.definition.enforcement {
+            Enforcement::Kinematic(part) => Some(part),
+            Enforcement::Penalty(_) => None,
+        }
+    }
+
     /// State of all secondary nodes.
     pub fn states(&self) -> impl Iterator<Item = PointState> + '_ {
         self.points.iter().map(|p| PointState {
@@ -135,15 +145,19 @@ impl ContactPair {
 
     /// How many secondary nodes it has, and what acts at them.
     pub fn in_words(&self) -> (usize, String) {
-        let is_kinematic = self.definition.enforcement == Enforcement::Kinematic;
-        let hard = if is_kinematic {
-            "hard".to_owned()
-        } else {
-            let largest = self.points.iter().map(|point| point.penalty).fold(0.0, f64::max);
-            format!("hard, penalty up to {largest:.6e} F/L a node")
+        let is_hard = matches!(self.definition.behaviour.normal, Normal::Hard);
+        let (hard, enforcement) = match self.part() {
+            None => {
+                let largest = self.points.iter().map(|point| point.penalty).fold(0.0, f64::max);
+                (format!("hard, penalty up to {largest:.6e} F/L a node"), String::new())
+            }
+            Some(part) => {
+                let weight = if part < 1.0 { format!(" of weight {part}") } else { String::new() };
+                let damping = if is_hard { ", no damping" } else { "" };
+                ("hard".to_owned(), format!(", kinematic{weight}{damping}"))
+            }
         };
-        let enforcement = if is_kinematic { ", kinematic, no damping" } else { "" };
-        (self.points.len(), self.definition.behaviour.in_words(&hard) + enforcement)
+        (self.points.len(), self.definition.behaviour.in_words(&hard) + &enforcement)
     }
 
     /// Increments of kinematic contact that were left unsettled since this was asked last.
@@ -167,13 +181,11 @@ impl ExplicitTerm for ContactPair {
     }
 
     fn correct(&mut self, at: &mut Predicted) {
-        if self.definition.enforcement == Enforcement::Kinematic {
-            self.correct_kinematically(at);
-        }
+        sides::correct(std::slice::from_mut(self), at);
     }
 
     fn advance(&mut self, at: &Moving, forces: &mut [f64]) -> Result<Advance, Halt> {
-        if self.definition.enforcement == Enforcement::Kinematic {
+        if self.part().is_some() {
             if at.dt == 0.0 {
                 self.survey(at.u, at.v);
             }

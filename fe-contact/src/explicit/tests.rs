@@ -20,6 +20,7 @@ use fe_core::structure::{Discrete, Structure};
 use fe_mesh::{CellBlock, CellId};
 use std::sync::Arc;
 
+mod balanced;
 mod bonded;
 mod kinematic;
 mod rigid;

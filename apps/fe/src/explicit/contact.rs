@@ -4,8 +4,8 @@ use super::scene::Scene;
 use crate::job::JobFailure;
 use crate::number::scientific;
 use fe_contact::explicit::{
-    Behaviour, ContactPair, Definition, Enforcement, MainSurface, Normal, RigidFollower, Secondary, Separation,
-    Unsettled,
+    Behaviour, ContactPair, Definition, Enforcement, MainSurface, Normal, PairSides, RigidFollower, Secondary,
+    Separation, Unsettled,
 };
 use fe_contact::facet::{Facet, Vec3};
 use fe_contact::friction::{Coulomb, Friction, Spring, Stick};
@@ -63,23 +63,15 @@ pub fn refuse_the_rest(model: &Model, step: &Step) -> Result<(), JobFailure> {
                 );
                 return refuse(place, &what, "say MECHANICAL CONSTRAINT=PENALTY");
             }
-            let weight = weight(&model.structure, pair);
-            if weight > 0.0 && weight < 1.0 {
-                let help =
-                    "give WEIGHT=0. (the first surface is the secondary one) or 1., or MECHANICAL CONSTRAINT=PENALTY";
-                return refuse(place, "balanced kinematic contact (the default of two deformable surfaces) is", help);
-            }
-            if interaction.is_some_and(|i| i.explicit_damping.is_some_and(|damping| !is_without(damping.amount))) {
-                let help = "leave *CONTACT DAMPING out, or use MECHANICAL CONSTRAINT=PENALTY";
-                return refuse(place, "damping of kinematic contact is", help);
-            }
-            if interaction.is_some_and(|i| i.no_separation) {
-                return refuse(place, "NO SEPARATION in kinematic contact is", "say MECHANICAL CONSTRAINT=PENALTY");
-            }
-            let slope = |i: &Interaction| matches!(i.friction, Some(Friction::Coulomb { stick: Stick::Slope(_), .. }));
-            if interaction.is_some_and(slope) {
-                let help = "leave it out: kinematic contact sticks exactly";
-                return refuse(place, "SHEAR TRACTION SLOPE in kinematic contact is", help);
+            let is_hard = interaction.is_none_or(|i| matches!(i.normal, NormalBehavior::Hard(_)));
+            let damping = interaction.and_then(|i| i.explicit_damping).filter(|damping| !is_without(damping.amount));
+            if is_hard && damping.is_some() {
+                let help = "leave *CONTACT DAMPING out, or use MECHANICAL CONSTRAINT=PENALTY or a softened law";
+                return refuse(
+                    place,
+                    "damping of hard kinematic contact, which takes the energy of what hits, is",
+                    help,
+                );
             }
         }
     }
@@ -106,7 +98,7 @@ fn family(structure: &Structure, face: &Face) -> Family {
 /// What is to be said of the pairs at the end of a step.
 pub fn unsettled(scene: &mut Scene) -> Vec<String> {
     let mut notes = Vec::new();
-    for pair in scene.pairs.iter_mut().flat_map(|(_, pairs)| pairs) {
+    for pair in scene.pairs.iter_mut().flat_map(|(_, sides)| &mut sides.pairs) {
         let Unsettled { increments, change } = pair.take_unsettled();
         if increments > 0 {
             let change = scientific(change, 2);
@@ -121,7 +113,7 @@ pub fn unsettled(scene: &mut Scene) -> Vec<String> {
 }
 
 /// The pairs that act in a step; where both sides may be either, both are, each for its part.
-pub fn pairs(scene: &Scene, model: &Model, active: &ActivePair) -> Vec<ContactPair> {
+pub fn sides(scene: &Scene, model: &Model, active: &ActivePair) -> PairSides {
     let pair = &model.explicit_pairs[active.pair].0;
     let interaction = active.interaction.map(|i| &model.interactions[i]);
     let first_is_main = weight(&scene.structure, pair);
@@ -133,41 +125,30 @@ pub fn pairs(scene: &Scene, model: &Model, active: &ActivePair) -> Vec<ContactPa
                 MainSurface::Rigid { surface: surface.clone(), reference: *reference }
             }
         };
-        out.push((secondary(&scene.structure, &pair.secondary), main, 1.0 - first_is_main));
+        let names = [&pair.secondary_name, &pair.main_name];
+        out.push((names, secondary(&scene.structure, &pair.secondary), main, 1.0 - first_is_main));
     }
     if let (surface::Secondary::Faces(first), Main::Faces(second)) = (&pair.secondary, &pair.main)
         && first_is_main > 0.0
     {
         let nodes = secondary(&scene.structure, &surface::Secondary::Faces(second.clone()));
-        out.push((nodes, faces_of(scene, first), first_is_main));
+        out.push(([&pair.main_name, &pair.secondary_name], nodes, faces_of(scene, first), first_is_main));
     }
-    let build = |(mut nodes, main, part): (Secondary, MainSurface, f64)| {
+    let build = |([own, other], mut nodes, main, part): ([&String; 2], Secondary, MainSurface, f64)| {
         nodes.nodes.iter_mut().for_each(|node| node.1 *= part);
-        let name = format!("{} on {}", pair.secondary_name, pair.main_name);
+        let name = format!("{own} on {other}");
         let enforcement = match pair.constraint {
             MechanicalConstraint::Penalty => Enforcement::Penalty(part * active.scale_penalty),
-            MechanicalConstraint::Kinematic => Enforcement::Kinematic,
+            MechanicalConstraint::Kinematic => Enforcement::Kinematic(part),
         };
-        ContactPair::new(
-            &scene.structure,
-            &scene.freedoms,
-            definition((name, nodes, main), interaction, enforcement),
-            &scene.followers,
-        )
+        let mut behaviour = behaviour(interaction);
+        if pair.constraint == MechanicalConstraint::Kinematic && matches!(behaviour.normal, Normal::Hard) {
+            behaviour.damping = None;
+        }
+        let definition = Definition { name, secondary: nodes, main, behaviour, enforcement };
+        ContactPair::new(&scene.structure, &scene.freedoms, definition, &scene.followers)
     };
-    out.into_iter().map(build).collect()
-}
-
-fn definition(
-    (name, secondary, main): (String, Secondary, MainSurface),
-    interaction: Option<&Interaction>,
-    enforcement: Enforcement,
-) -> Definition {
-    let mut behaviour = behaviour(interaction);
-    if enforcement == Enforcement::Kinematic {
-        behaviour.damping = None;
-    }
-    Definition { name, secondary, main, behaviour, enforcement }
+    PairSides { pairs: out.into_iter().map(build).collect() }
 }
 
 /// What an interaction says; without one contact is hard and slides freely.

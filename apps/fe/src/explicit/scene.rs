@@ -3,7 +3,7 @@
 use super::{contact, explicit, general};
 use crate::course::Course;
 use crate::job::JobFailure;
-use fe_contact::explicit::{ContactPair, GeneralContact, PointState, RigidFollower};
+use fe_contact::explicit::{ContactPair, GeneralContact, PairSides, PointState, RigidFollower};
 use fe_core::Freedoms;
 use fe_core::element::{ElementType, Family};
 use fe_core::explicit::ExplicitTerm;
@@ -34,7 +34,7 @@ pub struct Scene {
     /// Loads of the present step.
     pub loads: Loads,
     /// The pairs that act in it, one after the other, with what they were made of.
-    pub pairs: Vec<(ActivePair, Vec<ContactPair>)>,
+    pub pairs: Vec<(ActivePair, PairSides)>,
     /// The general contact that acts in it, with what it was made of.
     pub general: Option<(Step, GeneralContact)>,
     /// Work that contact took which acts no more [F L].
@@ -77,13 +77,13 @@ impl Scene {
         let mut before = std::mem::take(&mut self.pairs);
         for active in &step.explicit_pairs {
             let kept = before.iter().position(|(was, _)| was == active);
-            let pairs = match kept {
+            let sides = match kept {
                 Some(kept) => before.remove(kept).1,
-                None => contact::pairs(self, model, active),
+                None => contact::sides(self, model, active),
             };
-            self.pairs.push((*active, pairs));
+            self.pairs.push((*active, sides));
         }
-        self.left += before.iter().flat_map(|(_, pairs)| pairs).map(|pair| pair.stored()).sum::<f64>();
+        self.left += before.iter().map(|(_, sides)| sides.stored()).sum::<f64>();
         let same =
             |was: &Step| was.general_contact == step.general_contact && was.explicit_pairs == step.explicit_pairs;
         if !self.general.as_ref().is_some_and(|(was, _)| same(was)) {
@@ -106,7 +106,7 @@ impl Scene {
 
     /// All pairs that act.
     pub fn contacts(&self) -> impl Iterator<Item = &ContactPair> {
-        self.pairs.iter().flat_map(|(_, pairs)| pairs)
+        self.pairs.iter().flat_map(|(_, sides)| &sides.pairs)
     }
 
     /// Nodes that follow rigid bodies.
@@ -127,8 +127,7 @@ impl Scene {
         terms.extend(self.lines.as_mut().map(|lines| lines as &mut dyn ExplicitTerm));
         terms.extend(self.damping.as_mut().map(|damping| damping as &mut dyn ExplicitTerm));
         terms.push(&mut self.loads);
-        let pairs = self.pairs.iter_mut().flat_map(|(_, pairs)| pairs);
-        terms.extend(pairs.map(|pair| pair as &mut dyn ExplicitTerm));
+        terms.extend(self.pairs.iter_mut().map(|(_, sides)| sides as &mut dyn ExplicitTerm));
         terms.extend(self.general.as_mut().map(|(_, general)| general as &mut dyn ExplicitTerm));
         terms
     }

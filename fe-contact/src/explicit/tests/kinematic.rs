@@ -37,7 +37,7 @@ fn bar_on_wall(n: u32) -> Scene {
     points.push([0.0, 0.0, -1.0]);
     let structure = bars(points, &[(0..=n).collect()]);
     let v: Vec<_> = (0..=n).map(|i| (i, 2, -SPEED)).collect();
-    Scene::new(&structure, hard(&[0], floor(n + 1), Enforcement::Kinematic), &[n + 1], &v)
+    Scene::new(&structure, hard(&[0], floor(n + 1), Enforcement::Kinematic(1.0)), &[n + 1], &v)
 }
 
 pub(super) fn hard(nodes: &[u32], main: MainSurface, enforcement: Enforcement) -> Definition {
@@ -55,7 +55,7 @@ fn energy(scene: &Scene) -> f64 {
 fn b12_plastic_impact() {
     let structure = masses(&[([0.2, 0.0, 0.02], 2.0), ([0.2, 0.0, -1.0], 3.0)]);
     let turns = [(1, 3), (1, 4), (1, 5)];
-    let definition = hard(&[0], floor(1), Enforcement::Kinematic);
+    let definition = hard(&[0], floor(1), Enforcement::Kinematic(1.0));
     let mut scene = Scene::held(&structure, definition, &turns, &[(0, 2, -10.0), (1, 2, 5.0)]);
     let before = energy(&scene);
     (0..50).for_each(|_| scene.advance(1e-3));
@@ -120,7 +120,7 @@ fn b01_bar_on_wall() {
 #[test]
 fn b02_two_bars() {
     let n = 40u32;
-    for enforcement in [Enforcement::Kinematic, Enforcement::Penalty(1.0)] {
+    for enforcement in [Enforcement::Kinematic(1.0), Enforcement::Penalty(1.0)] {
         let up = (0..=n).map(|i| [0.0, 0.0, i.into()]);
         let down = (0..=n).map(|i| [0.0, 0.0, -f64::from(i)]);
         let structure = bars(up.chain(down).collect(), &[(0..=n).collect(), (n + 1..=2 * n + 1).collect()]);
@@ -147,7 +147,7 @@ fn b04_mass_on_law() {
     let (m, v, k, steps) = (1e-3, 2000.0, 1e5, 4000);
     let structure = masses(&[([0.3, 0.0, 0.0], m), ([0.0, 0.0, -1.0], 0.0)]);
     let law = Arc::new(Linear { slope: k, clearance: 0.0 });
-    let definition = Definition { enforcement: Enforcement::Kinematic, ..definition(&[0], floor(1), law) };
+    let definition = Definition { enforcement: Enforcement::Kinematic(1.0), ..definition(&[0], floor(1), law) };
     let mut scene = Scene::new(&structure, definition, &[1], &[(0, 2, -v)]);
     let (z, reference, angle) = (scene.at(0, 2), scene.at(1, 2), PI / steps as f64);
     let dt = angle * (m / k).sqrt();
@@ -173,7 +173,7 @@ fn friction_holds_or_slides() {
     for push in [3.0, 12.0] {
         let structure = masses(&[([0.0; 3], m), ([0.0, 0.0, -1.0], 0.0)]);
         let friction = Some(Coulomb { limit: Some((Coefficient::Constant(mu), None)), spring: Spring::Stiffness(1.0) });
-        let mut definition = hard(&[0], floor(1), Enforcement::Kinematic);
+        let mut definition = hard(&[0], floor(1), Enforcement::Kinematic(1.0));
         definition.behaviour.friction = friction;
         let mut scene = Scene::new(&structure, definition, &[1], &[]);
         let (x, z) = (scene.at(0, 0), scene.at(0, 2));
@@ -201,7 +201,7 @@ fn free_bodies_keep_their_momentum() {
     let mut points: Vec<([f64; 3], f64)> = corners.iter().zip([2.0, 3.0, 4.0]).map(|(x, m)| (*x, m)).collect();
     points.extend([([0.35, 0.3, 0.06], 1.5), ([0.5, 0.4, 0.07], 20.0)]);
     let structure = masses(&points);
-    let definition = hard(&[3, 4], MainSurface::Faces(vec![vec![0, 1, 2]]), Enforcement::Kinematic);
+    let definition = hard(&[3, 4], MainSurface::Faces(vec![vec![0, 1, 2]]), Enforcement::Kinematic(1.0));
     let mut scene = Scene::new(&structure, definition, &[], &[(3, 2, -10.0), (3, 0, 1.0), (4, 2, -12.0)]);
     let moments = |scene: &Scene| {
         let (mut p, mut h) = (Vec3::zeros(), Vec3::zeros());
@@ -227,4 +227,81 @@ fn free_bodies_keep_their_momentum() {
     assert!((before.1 - after.1).norm() < 1e-4 * before.0.norm(), "{} {}", before.1, after.1);
     assert!(scene.pair.stored() > 0.0);
     assert!(((energy(&scene) + scene.pair.stored()) / energy_before - 1.0).abs() < 1e-12);
+}
+
+/// B10: damping that never pulls, at the corrected end of the increment.
+#[test]
+fn b10_damped_contact_without_tension() {
+    for (zeta, expected) in [(0.05, 0.858758101775), (0.2, 0.571740027585)] {
+        let structure = masses(&[([0.0; 3], 1.0), ([0.0, 0.0, -1.0], 0.0)]);
+        let law = Arc::new(Linear { slope: 1.0, clearance: 0.0 });
+        let mut definition = Definition { enforcement: Enforcement::Kinematic(1.0), ..definition(&[0], floor(1), law) };
+        let amount = DampingAmount::CriticalFraction(zeta);
+        definition.behaviour.damping = Some(ExplicitDamping { amount, tangent_fraction: 1.0 });
+        let mut scene = Scene::new(&structure, definition, &[1], &[(0, 2, -1.0)]);
+        let (z, dt) = (scene.at(0, 2), 1e-4);
+        let before = energy(&scene);
+        (0..50_000).for_each(|_| scene.advance(dt));
+        // Backward Euler takes ½ωΔt of critical besides, over half a period; and the dashpot starts within an increment.
+        let bound = (0.5 * PI + 4.0 * zeta) * dt;
+        assert!((scene.state.v[z] - expected).abs() < bound, "{} {expected}", scene.state.v[z]);
+        assert!(((energy(&scene) + scene.pair.stored()) / before - 1.0).abs() < 1e-9);
+    }
+}
+
+/// A ball that may not leave is held at the surface against a pull, by its force; on a law it swings, and comes to rest where
+/// the law pulls as much.
+#[test]
+fn no_separation_holds() {
+    let (m, v, pull, slope) = (2.0, 1.0, 5.0, 400.0);
+    let law: Arc<dyn NormalLaw> = Arc::new(Linear { slope, clearance: 0.0 });
+    for (normal, rest) in [(Normal::Hard, 0.0), (Normal::Softened(law), pull / slope)] {
+        let structure = masses(&[([0.0, 0.0, 0.05], m), ([0.0, 0.0, -1.0], 0.0)]);
+        let mut definition = hard(&[0], floor(1), Enforcement::Kinematic(1.0));
+        definition.behaviour = Behaviour { separation: Separation::Never, ..free(normal) };
+        let mut scene = Scene::new(&structure, definition, &[1], &[(0, 2, -v)]);
+        let (z, reference) = (scene.at(0, 2), scene.at(1, 2));
+        for step in 0..4000 {
+            if step > 100 {
+                scene.state.force[z] += pull;
+            }
+            scene.advance(1e-2);
+        }
+        // Backward Euler stills the swing by √(1 + (ωΔt)²) an increment, (1 + 0.02)^−2000.
+        assert!((scene.state.u[z] + 0.05 - rest).abs() < 1e-12, "{}", scene.state.u[z]);
+        assert!((scene.state.force[reference] - pull).abs() < 1e-10);
+        let state = scene.pair.states().next().unwrap();
+        assert!((state.pressure + pull).abs() < 1e-10 && state.status == ContactStatus::Closed);
+    }
+}
+
+/// A block on springs of a given slope comes to rest at F/K, slipping where that is more than μ N.
+#[test]
+fn friction_on_springs() {
+    let (m, weight, mu, slope, dt) = (2.0, 30.0, 0.25, 800.0, 1e-2);
+    for (push, steps) in [(3.0, 2000), (12.0, 200)] {
+        let structure = masses(&[([0.0; 3], m), ([0.0, 0.0, -1.0], 0.0)]);
+        let mut definition = hard(&[0], floor(1), Enforcement::Kinematic(1.0));
+        let limit = Some((Coefficient::Constant(mu), None));
+        definition.behaviour.friction = Some(Coulomb { limit, spring: Spring::Stiffness(1.0) });
+        definition.behaviour.shear_slope = Some(slope);
+        let mut scene = Scene::new(&structure, definition, &[1], &[]);
+        let (x, z) = (scene.at(0, 0), scene.at(0, 2));
+        for _ in 0..steps {
+            scene.state.force[x] += push;
+            scene.state.force[z] -= weight;
+            scene.advance(dt);
+        }
+        let limit: f64 = mu * weight;
+        let shear = scene.state.force[scene.at(1, 0)];
+        if push < limit {
+            assert!((scene.state.u[x] - push / slope).abs() < 1e-12 && (shear - push).abs() < 1e-10);
+            assert!(scene.pair.rubbed().abs() < 1e-12);
+        } else {
+            assert!((shear - limit).abs() < 1e-10);
+            let heat = limit * (scene.state.u[x] - limit / slope);
+            // The increment in which it begins to slip.
+            assert!((scene.pair.rubbed() / heat - 1.0).abs() < 1e-5, "{} {heat}", scene.pair.rubbed());
+        }
+    }
 }

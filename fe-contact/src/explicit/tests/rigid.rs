@@ -43,7 +43,7 @@ impl Impact {
         let main = if analytical { floor(5) } else { MainSurface::Faces(vec![vec![0, 1, 2, 3]]) };
         let definition = match law {
             Some(law) => definition(&[4], main, law),
-            None => super::kinematic::hard(&[4], main, Enforcement::Kinematic),
+            None => super::kinematic::hard(&[4], main, Enforcement::Kinematic(1.0)),
         };
         let freedoms = structure.freedoms(&[5]);
         // Nodes that follow have no freedoms of their own.
