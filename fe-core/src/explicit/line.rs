@@ -1,6 +1,7 @@
-//! Two-node elements that act along their line or along fixed freedoms: trusses, springs, dashpots; and masses and rotary
-//! inertias of nodes.
+//! Two-node elements that act along their line or along fixed freedoms: trusses, springs, dashpots; beams; and
+//! masses and rotary inertias of nodes.
 
+use super::beam::Beams;
 use super::rotation::Rotary;
 use super::{Advance, ExplicitTerm, Halt, Moving};
 use crate::element::{ElementType, Family};
@@ -46,15 +47,16 @@ struct Element {
     viscous: f64,
 }
 
-/// All trusses, springs, dashpots, masses and rotary inertias of a scene.
+/// All trusses, beams, springs, dashpots, masses and rotary inertias of a scene.
 #[derive(Clone, Debug)]
 pub struct Lines {
     elements: Vec<Element>,
+    beams: Beams,
     /// Point masses on freedoms.
     masses: Vec<(usize, f64)>,
     /// Tensors of inertia of nodes in space.
     rotary: Vec<Rotary>,
-    /// Linear bulk viscosity [-] of trusses.
+    /// Linear bulk viscosity [-] of trusses and beams.
     viscosity: f64,
     /// Largest sums of stiffness and of viscosity over mass of a node [1/T², 1/T].
     rates: [f64; 2],
@@ -63,7 +65,7 @@ pub struct Lines {
 }
 
 impl Lines {
-    /// Those of a structure; `viscosity` is the linear bulk viscosity [-]. Beams are none of them.
+    /// Those of a structure; `viscosity` is the linear bulk viscosity [-].
     pub fn new(structure: &Structure, freedoms: &Freedoms, viscosity: f64) -> Self {
         let mesh = &structure.mesh;
         let dimension = structure.dimension();
@@ -122,7 +124,8 @@ impl Lines {
                 }
             }
         }
-        Lines { elements, masses, rotary, viscosity, rates: [0.0; 2], stored: 0.0, dissipated: 0.0 }
+        let beams = Beams::new(structure, freedoms);
+        Lines { elements, beams, masses, rotary, viscosity, rates: [0.0; 2], stored: 0.0, dissipated: 0.0 }
     }
 
     /// From now on with another linear bulk viscosity [-].
@@ -130,9 +133,10 @@ impl Lines {
         self.viscosity = viscosity;
     }
 
-    /// Energy [F L] that springs and trusses hold, and that dashpots and bulk viscosity have dissipated.
+    /// Energy [F L] that springs, trusses and beams hold, and that dashpots and bulk viscosity have dissipated.
     pub fn energies(&self) -> [f64; 2] {
-        [self.stored, self.dissipated]
+        let [stored, dissipated] = self.beams.energies;
+        [self.stored + stored, self.dissipated + dissipated]
     }
 
     /// Adds the damping α m [M/T] of materials to the freedoms.
@@ -140,11 +144,12 @@ impl Lines {
         for element in &self.elements {
             element.freedoms().for_each(|f| damping[f] += element.damping.alpha * element.mass);
         }
+        self.beams.add_mass_damping(damping);
     }
 
     /// True where there are none.
     pub fn is_empty(&self) -> bool {
-        self.elements.is_empty() && self.masses.is_empty() && self.rotary.is_empty()
+        self.elements.is_empty() && self.beams.is_empty() && self.masses.is_empty() && self.rotary.is_empty()
     }
 }
 
@@ -173,13 +178,14 @@ impl Element {
 
 impl ExplicitTerm for Lines {
     fn name(&self) -> &str {
-        "trusses, springs and masses"
+        "trusses, beams, springs and masses"
     }
 
     fn add_mass(&self, mass: &mut [f64]) {
         for element in self.elements.iter().filter(|element| element.mass > 0.0) {
             element.freedoms().for_each(|f| mass[f] += element.mass);
         }
+        self.beams.add_mass(mass);
         self.masses.iter().for_each(|&(f, m)| mass[f] += m);
     }
 
@@ -259,11 +265,11 @@ impl ExplicitTerm for Lines {
                 }
             }
         }
-        Ok(advance)
+        Ok(advance.and(self.beams.advance(at, self.viscosity, forces)))
     }
 
     fn stored(&self) -> f64 {
-        self.stored + self.dissipated
+        self.energies().into_iter().sum()
     }
 }
 

@@ -1,5 +1,6 @@
 //! Explicit dynamics: central differences with lumped masses.
 
+pub mod beam;
 pub mod central_difference;
 pub mod line;
 pub mod loads;

@@ -22,7 +22,7 @@ pub(super) fn points(element: ElementType) -> usize {
 }
 
 /// D of the strains.
-pub(super) fn moduli(section: &LineSection) -> Vec<f64> {
+pub(crate) fn moduli(section: &LineSection) -> Vec<f64> {
     let (e, g, p) = (section.young, section.shear, &section.profile);
     let shear = p.shear_factor * g * p.area;
     let mut d = vec![0.0; STRAINS * STRAINS];
@@ -34,7 +34,7 @@ pub(super) fn moduli(section: &LineSection) -> Vec<f64> {
 }
 
 /// Unit axes t, 1, 2 of a beam, and its length [L].
-pub(super) fn axes(x: [[f64; 3]; 2], first_axis: [f64; 3]) -> Result<([[f64; 3]; 3], f64), Defect> {
+pub(crate) fn axes(x: [[f64; 3]; 2], first_axis: [f64; 3]) -> Result<([[f64; 3]; 3], f64), Defect> {
     let (t, length) = along(&x[0], &x[1])?;
     let across = cross(&t, &first_axis);
     let size = norm(&across);

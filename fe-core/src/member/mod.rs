@@ -3,7 +3,7 @@
 //! Each element is some integration points, each point the rates B of its strains: strain = B u, force Σ w Bᵀ D B u. Small
 //! displacements.
 
-mod beam;
+pub(crate) mod beam;
 mod spring;
 mod term;
 mod truss;

@@ -22,11 +22,15 @@ pub fn plan(scene: &Scene, step: &Step, prescribed: usize, advance: &Advance) ->
         let (count, element) = (section.cells.len(), section.element.name());
         needs.push(("solids".into(), format!("{count} {element} of {}, large displacements", material.name)));
     }
-    for section in structure.lines.iter().filter(|section| section.element.family() == Family::Truss) {
-        needs.push((
-            "trusses".into(),
-            format!("{} {} of {}", section.cells.len(), section.element.name(), section.name),
-        ));
+    for section in &structure.lines {
+        let (count, element) = (section.cells.len(), section.element.name());
+        needs.push(match section.element.family() {
+            Family::Truss => ("trusses".into(), format!("{count} {element} of {}", section.name)),
+            _ => {
+                let inertia = "rotary inertia raised until only stretching limits the increment";
+                ("beams".into(), format!("{count} {element} of {}, large rotations; {inertia}", section.name))
+            }
+        });
     }
     for section in &structure.discrete {
         let (count, element) = (section.cells.len(), section.element.name());

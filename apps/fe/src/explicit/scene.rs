@@ -7,6 +7,7 @@ use fe_contact::explicit::{ContactPair, GeneralContact, PairSides, PointState, R
 use fe_core::Freedoms;
 use fe_core::element::{ElementType, Family};
 use fe_core::explicit::ExplicitTerm;
+use fe_core::explicit::beam;
 use fe_core::explicit::line::Lines;
 use fe_core::explicit::loads::Loads;
 use fe_core::explicit::mass_damping::MassDamping;
@@ -14,7 +15,7 @@ use fe_core::explicit::solid::{self, Hourglass, SolidSection, Solids};
 use fe_core::external::ExternalForces;
 use fe_core::section::{self, HourglassControl};
 use fe_core::step::Explicit;
-use fe_core::structure::Structure;
+use fe_core::structure::{LineSection, Structure};
 use fe_io::Model;
 use fe_io::model::{ActivePair, Step};
 use std::sync::Arc;
@@ -158,9 +159,10 @@ fn sections<'a>(structure: &'a Structure, step: &Explicit) -> Result<Vec<SolidSe
             viscosity: step.bulk_viscosity,
         });
     }
-    if let Some(section) = structure.lines.iter().find(|section| section.element.family() == Family::Beam) {
+    let missing = |section: &&LineSection| section.element.family() == Family::Beam && !beam::has(section.element);
+    if let Some(section) = structure.lines.iter().find(missing) {
         return Err(JobFailure::Deck(format!(
-            "error: beams {} of {} are not there in explicit steps yet\nhelp: there are trusses",
+            "error: beams {} of {} are not there in explicit steps\nhelp: B21 and B31 are there",
             section.element.name(),
             section.name
         )));
