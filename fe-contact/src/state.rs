@@ -59,6 +59,10 @@ pub struct ContactState {
     pub taken: Taken,
     /// Area [L²] of closed points that have one: CAREA.
     pub closed_area: f64,
+    /// Middle [L] of the closed points by their measures; 0 where none is closed.
+    pub center: [f64; 3],
+    /// Mean outward unit normal of the secondary side there; 0 where none is closed.
+    pub normal: [f64; 3],
 }
 
 /// Contact results at one node of the secondary surface.
@@ -113,6 +117,64 @@ impl ContactState {
     }
 }
 
+/// Sums over the closed points of a contact.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Closed {
+    area: f64,
+    weight: f64,
+    places: Vec3,
+    normals: Vec3,
+}
+
+impl Closed {
+    /// Takes a closed point at a place, with the normal of the main side.
+    pub fn add(&mut self, measure: Measure, place: &Vec3, normal: &Vec3) {
+        if let Measure::Area(area) = measure {
+            self.area += area;
+        }
+        self.weight += measure.value();
+        self.places += place * measure.value();
+        self.normals -= normal * measure.value();
+    }
+
+    /// Writes what they come to.
+    pub fn tell(&self, state: &mut ContactState) {
+        state.closed_area = self.area;
+        let size = self.normals.norm();
+        if self.weight > 0.0 && size > 0.0 {
+            (state.center, state.normal) = ((self.places / self.weight).into(), (self.normals / size).into());
+        }
+    }
+}
+
+/// Results at nodes of a secondary surface: of several points of a node that of the one that presses most.
+pub(crate) fn at_nodes(
+    nodes: impl Iterator<Item = u32>,
+    kind: MeasureKind,
+    points: &[PointState],
+) -> BTreeMap<u32, NodeValues> {
+    let none = |node| NodeValues {
+        node,
+        opening: None,
+        pressure: 0.0,
+        status: ContactStatus::Open,
+        shear: [0.0; 2],
+        slip: [0.0; 2],
+        measure: 0.0,
+        kind,
+    };
+    let mut values: BTreeMap<u32, NodeValues> = nodes.map(|n| (n, none(n))).collect();
+    for &PointState { node, opening, pressure, status, shear, slip, measure } in points {
+        let (kind, measure) = (MeasureKind::of(measure), measure.value());
+        let v = NodeValues { node, opening: Some(opening), pressure, status, shear, slip, measure, kind };
+        let at = values.entry(node).or_insert(v);
+        if at.opening.is_none() || (v.pressure, -opening) > (at.pressure, -at.opening.unwrap_or_default()) {
+            *at = v;
+        }
+    }
+    values
+}
+
 /// Forces by node of the secondary and of the main side, for a node may be on either in different points, and what turns the
 /// reference node.
 #[derive(Default)]
@@ -126,7 +188,7 @@ impl Contact {
     /// The state at a displacement, with the history that belongs to it.
     pub fn state(&self, u: &[f64], history: &[f64]) -> ContactState {
         let mut state = ContactState { taken: self.taken(history), ..ContactState::default() };
-        let (mut normal, mut along) = (Forces::default(), Forces::default());
+        let (mut normal, mut along, mut touch) = (Forces::default(), Forces::default(), Closed::default());
         for (i, p) in self.points.iter().enumerate() {
             let here = self.at(i, u);
             let opening = here.gap + self.allowed(i, history);
@@ -144,8 +206,8 @@ impl Contact {
             if self.separation == Separation::Free {
                 keep_larger(&mut state.largest_tension, p.node, -answer.pressure);
             }
-            if let (ContactStatus::Closed | ContactStatus::Slipping, Measure::Area(a)) = (status, p.measure) {
-                state.closed_area += a;
+            if status != ContactStatus::Open {
+                touch.add(p.measure, &self.positions[&p.node], &Vec3::from(p.normal));
             }
             self.spread(i, &here.row, pressure * measure, &mut normal);
             if shear != [0.0; 2]
@@ -156,6 +218,7 @@ impl Contact {
                 }
             }
         }
+        touch.tell(&mut state);
         state.secondary = self.side(&normal.secondary, &self.sides.secondary_nodes, Vec3::zeros());
         state.main = self.side(&normal.main, &self.sides.main_nodes, normal.turning);
         if self.tangential.is_some() {
@@ -213,27 +276,8 @@ impl Contact {
 
     /// Results at all nodes of the secondary surface, ascending; mid-side nodes take the mean of their corners.
     pub fn node_values(&self, state: &ContactState) -> Vec<NodeValues> {
-        let open = ContactStatus::Open;
-        let none = |node| NodeValues {
-            node,
-            opening: None,
-            pressure: 0.0,
-            status: open,
-            shear: [0.0; 2],
-            slip: [0.0; 2],
-            measure: 0.0,
-            kind: self.summary.measure,
-        };
-        let mut values: BTreeMap<u32, NodeValues> = self.secondary_nodes().iter().map(|&n| (n, none(n))).collect();
-        for &PointState { node, opening, pressure, status, shear, slip, measure } in &state.points {
-            let (kind, measure) = (MeasureKind::of(measure), measure.value());
-            let v = NodeValues { node, opening: Some(opening), pressure, status, shear, slip, measure, kind };
-            // Of several points of a node the one that presses most.
-            let at = values.entry(node).or_insert(v);
-            if at.opening.is_none() || (v.pressure, -opening) > (at.pressure, -at.opening.unwrap_or_default()) {
-                *at = v;
-            }
-        }
+        let nodes = self.secondary_nodes().iter().copied();
+        let mut values = at_nodes(nodes, self.summary.measure, &state.points);
         for facet in self.sides.secondary.iter().filter(|f| !f.is_linear()) {
             let (nodes, corners) = (facet.nodes(), facet.corners());
             for (m, &middle) in nodes[corners..].iter().enumerate() {
@@ -255,7 +299,7 @@ impl Contact {
     }
 }
 
-fn keep_larger(largest: &mut Option<(u32, f64)>, node: u32, value: f64) {
+pub(crate) fn keep_larger(largest: &mut Option<(u32, f64)>, node: u32, value: f64) {
     if value > largest.map_or(0.0, |l| l.1) {
         *largest = Some((node, value));
     }

@@ -129,6 +129,41 @@ pub struct Output {
     pub fields: Option<Vec<String>>,
     /// When a frame is stored; the last increment of a step always is.
     pub frames: Frames,
+    /// Histories of an explicit step.
+    pub histories: Vec<HistoryRequest>,
+}
+
+/// A history of an explicit step.
+#[derive(Clone, Debug, PartialEq)]
+pub struct HistoryRequest {
+    /// What.
+    pub of: History,
+    /// When; with the last increment of a step always.
+    pub when: Frames,
+}
+
+/// What a history holds.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum History {
+    /// `*ENERGY OUTPUT`: all energies, and the last increment.
+    Energies,
+    /// `*CONTACT OUTPUT`: resultants of a pair, by the names of its secondary and main surface; `None`: of every pair.
+    Contact(Option<[String; 2]>),
+    /// `*NODE OUTPUT`: a field at the nodes of a set.
+    Nodes(HistoryOfSet),
+    /// `*ELEMENT OUTPUT`: a field at the elements of a set.
+    Elements(HistoryOfSet),
+}
+
+/// A field in a set.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct HistoryOfSet {
+    /// Name of the set, capitals.
+    pub set: String,
+    /// Name of the field: U, V, RF; S, MISES, PEEQ.
+    pub field: &'static str,
+    /// Which of its components, from 0; `None`: all.
+    pub component: Option<usize>,
 }
 
 /// When something is stored.
@@ -146,6 +181,9 @@ impl Frames {
     /// Frames of an explicit step unless the deck says otherwise: Abaqus Analysis User's Manual, Output to the output
     /// database.
     pub const EXPLICIT: Frames = Frames::Parts(20);
+
+    /// Histories of an explicit step, likewise.
+    pub const HISTORY: Frames = Frames::Parts(200);
 
     /// Nothing but the last increment of a step.
     pub const LAST: Frames = Frames::Increments(0);
@@ -207,10 +245,10 @@ pub enum Quantity {
     ContactStress,
     /// `*CONTACT PRINT`, CDISP.
     ContactDisplacement,
-    /// `*CONTACT PRINT`, CF, CFN or CFS: total force of a pair (`None`: every pair), index of the pair.
+    /// `*CONTACT PRINT`, CF, CFN or CFS: total force of a pair.
     ContactForce {
-        /// Index into [`Model::pairs`].
-        pair: Option<usize>,
+        /// Names of its secondary and main surface; `None`: every pair.
+        pair: Option<[String; 2]>,
         /// CF, CFN or CFS.
         part: ForcePart,
     },

@@ -214,7 +214,8 @@ impl RunCertificate {
         writeln!(out, "  strain              {}", e(b.strain))?;
         writeln!(out, "  plastic             {}", e(b.plastic))?;
         writeln!(out, "  hourglass           {}", e(b.artificial))?;
-        writeln!(out, "  bulk viscosity      {}", e(b.viscous))?;
+        writeln!(out, "  viscous             {}", e(b.viscous))?;
+        writeln!(out, "  friction            {}", e(b.friction))?;
         writeln!(out, "  contact             {}", e(b.contact))?;
         writeln!(out, "  work of loads       {}", e(b.work))?;
         writeln!(out, "  balance             {} of the largest energy", scientific(b.drift(), 2))?;

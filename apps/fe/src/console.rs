@@ -99,7 +99,7 @@ impl Observer for Console {
                     bar.set_position((1000.0 * frame.step_time / self.period) as u64);
                 }
                 let (b, e) = (frame.balance, |value: f64| scientific(value, 4));
-                let dissipated = b.plastic + b.artificial + b.viscous;
+                let dissipated = b.plastic + b.artificial + b.viscous + b.friction;
                 self.line(&format!(
                     "{:5} {:9} {:>12} {:>12} {:>12} {:>12} {:>12} {:>12} {:>12} {:>10}",
                     frame.step,

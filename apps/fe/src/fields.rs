@@ -1,9 +1,8 @@
 //! Values of the stored fields.
 
+use crate::contact_fields::{self, Shown};
 use crate::terms::Terms;
-use fe_contact::point::ContactStatus;
-use fe_contact::state::{ContactState, NodeValues, SideForce};
-use fe_contact::summary::MeasureKind;
+use fe_contact::state::ContactState;
 use fe_core::member::Uniaxial;
 use fe_core::procedure::Converged;
 use fe_core::solid::PointFields;
@@ -41,16 +40,6 @@ pub fn needs_recovery(field: &FieldInfo) -> bool {
     matches!(field.name, "S" | "E" | "MISES")
 }
 
-/// What the law's number is where a field holds it.
-pub fn measure_of(name: &str) -> Option<MeasureKind> {
-    match name {
-        "CPRESS" => Some(MeasureKind::Pressure),
-        "CPRESS_LENGTH" => Some(MeasureKind::ForcePerLength),
-        "CPRESS_FORCE" => Some(MeasureKind::Force),
-        _ => None,
-    }
-}
-
 /// What the fields of one frame are made of.
 pub struct Source<'a> {
     /// Terms.
@@ -61,6 +50,8 @@ pub struct Source<'a> {
     pub fixed: &'a [bool],
     /// States of the pairs.
     pub states: &'a [ContactState],
+    /// The same with their results at nodes, where a frame is stored.
+    pub contacts: &'a [Shown<'a>],
     /// Stresses, where a field needs them.
     pub recovered: Option<&'a Recovered>,
 }
@@ -79,21 +70,8 @@ impl Source<'_> {
             ("MISES", Location::Cell) => self.cells(Tensor::Stress).iter().map(mises).collect(),
             ("SF", _) => self.section_forces(0),
             ("SM", _) => self.section_forces(3),
-            (name, _) if measure_of(name).is_some() => {
-                let there = |node: &&NodeValues| node.opening.is_some() && Some(node.kind) == measure_of(name);
-                self.contact(|node| Some(node).filter(there).map_or(f64::NAN, |node| node.pressure), f64::max)
-            }
-            ("COPEN", _) => self.contact(|node| node.opening.unwrap_or(f64::NAN), f64::min),
-            ("CSTATUS", _) => self.contact(|node| status(node.status), f64::max),
-            ("CSHEAR1", _) => self.contact(|node| node.opening.map_or(f64::NAN, |_| node.shear[0]), larger),
-            ("CSHEAR2", _) => self.contact(|node| node.opening.map_or(f64::NAN, |_| node.shear[1]), larger),
-            ("CSLIP1", _) => self.contact(|node| node.opening.map_or(f64::NAN, |_| node.slip[0]), larger),
-            ("CSLIP2", _) => self.contact(|node| node.opening.map_or(f64::NAN, |_| node.slip[1]), larger),
-            ("CNORMF", _) => self.contact_forces(|state| vec![&state.secondary, &state.main]),
-            ("CSHEARF", _) => {
-                self.contact_forces(|state| state.secondary_shear.iter().chain(&state.main_shear).collect())
-            }
-            (other, _) => unreachable!("the list of fields has no {other}"),
+            (name, _) => contact_fields::values(field, self.terms.structure.mesh.points.len(), self.contacts)
+                .unwrap_or_else(|| unreachable!("the list of fields has no {name}")),
         }
     }
 
@@ -171,32 +149,6 @@ impl Source<'_> {
     fn blocks(&self) -> &[PointFields] {
         self.recovered.map_or(&[], |r| &r.blocks)
     }
-
-    /// A number of the secondary nodes; where pairs share a node, `merge` of theirs.
-    fn contact(&self, value: impl Fn(&NodeValues) -> f64, merge: fn(f64, f64) -> f64) -> Vec<f64> {
-        let mut out = vec![f64::NAN; self.terms.structure.mesh.points.len()];
-        for (pair, state) in self.terms.contacts.iter().zip(self.states) {
-            for node in pair.node_values(state) {
-                let place = &mut out[node.node as usize];
-                // f64::max and f64::min take the number where the other is NaN.
-                *place = merge(*place, value(&node));
-            }
-        }
-        out
-    }
-
-    fn contact_forces<'s>(&'s self, sides: impl Fn(&'s ContactState) -> Vec<&'s SideForce>) -> Vec<f64> {
-        let mut out = vec![f64::NAN; 3 * self.terms.structure.mesh.points.len()];
-        for state in self.states {
-            for &(node, force) in sides(state).into_iter().flat_map(|side| &side.nodes) {
-                for c in 0..3 {
-                    let place = &mut out[3 * node as usize + c];
-                    *place = if place.is_nan() { force[c] } else { *place + force[c] };
-                }
-            }
-        }
-        out
-    }
 }
 
 /// The tensor s t⊗t of a truss of direction t.
@@ -208,20 +160,6 @@ fn along(state: &Uniaxial, tensor: Tensor) -> [f64; 6] {
 
 fn tensor_of(fields: &PointFields, tensor: Tensor) -> &[[f64; 6]] {
     if tensor == Tensor::Stress { &fields.stress } else { &fields.strain }
-}
-
-/// The one of two that is larger in size; the number where the other is NaN.
-fn larger(a: f64, b: f64) -> f64 {
-    if b.is_nan() || a.abs() >= b.abs() { a } else { b }
-}
-
-/// The number that stands for a status: 0 open, 1 closed or sticking, 2 slipping.
-pub fn status(status: ContactStatus) -> f64 {
-    match status {
-        ContactStatus::Open => 0.0,
-        ContactStatus::Closed => 1.0,
-        ContactStatus::Slipping => 2.0,
-    }
 }
 
 /// Mises stress √(3/2 s:s) of a stress xx, yy, zz, xy, yz, xz.

@@ -1,7 +1,6 @@
 //! The printed tables of a step: values for the `.dat` file.
 
 use crate::fields::Source;
-use fe_contact::contact::Contact;
 use fe_contact::point::ContactStatus;
 use fe_contact::state::{ContactState, PointState};
 use fe_contact::summary::Origin;
@@ -9,7 +8,7 @@ use fe_core::element::Family;
 use fe_io::model::{ForcePart, Quantity, Table};
 use fe_io::results::ResultsError;
 use fe_io::results::table::{ContactRow, ElementRow, PairForce, Tables};
-use fe_mesh::CellId;
+use fe_mesh::{CellId, Mesh};
 use std::path::Path;
 
 /// The `.dat` file of a job; it exists once something is printed.
@@ -53,21 +52,38 @@ impl Printed {
             }
             Quantity::Stress => self.tables.stresses(&table.set, time, &elements(source, table)),
             Quantity::Strain => self.tables.strains(&table.set, time, &elements(source, table)),
-            Quantity::ContactStress => self.tables.contact_stresses(time, &closed(source, |p| (p.pressure, p.shear))),
-            Quantity::ContactDisplacement => {
-                self.tables.contact_displacements(time, &closed(source, |p| (p.opening, p.slip)))
-            }
-            Quantity::ContactForce { pair, part } => {
-                for (k, (found, state)) in source.terms.contacts.iter().zip(source.states).enumerate() {
-                    if pair.is_none_or(|wanted| wanted == k) {
-                        let force = pair_force(found, state, *part, source);
-                        let (secondary, main) = found.surfaces();
-                        self.tables.contact_force(secondary, main, time, &force)?;
-                    }
-                }
-                Ok(())
+            Quantity::ContactStress | Quantity::ContactDisplacement | Quantity::ContactForce { .. } => {
+                let contacts = source.terms.contacts.iter().zip(source.states);
+                let contacts: Vec<_> = contacts.map(|(contact, state)| (contact.surfaces(), state)).collect();
+                contact(&mut self.tables, &table.quantity, (&source.terms.structure.mesh, time), &contacts)
             }
         }
+    }
+}
+
+/// Prints what contacts do, each with the names of its surfaces: the values of all that are closed, or resultants.
+pub fn contact(
+    tables: &mut Tables,
+    quantity: &Quantity,
+    (mesh, time): (&Mesh, f64),
+    contacts: &[((&str, &str), &ContactState)],
+) -> Result<(), ResultsError> {
+    let states = || contacts.iter().map(|contact| contact.1);
+    match quantity {
+        Quantity::ContactStress => tables.contact_stresses(time, &closed(mesh, states(), |p| (p.pressure, p.shear))),
+        Quantity::ContactDisplacement => {
+            tables.contact_displacements(time, &closed(mesh, states(), |p| (p.opening, p.slip)))
+        }
+        Quantity::ContactForce { pair, part } => {
+            let wanted = |(secondary, main): (&str, &str)| {
+                pair.as_ref().is_none_or(|names| [secondary, main] == [names[0].as_str(), names[1].as_str()])
+            };
+            for (surfaces, state) in contacts.iter().filter(|contact| wanted(contact.0)) {
+                tables.contact_force(surfaces.0, surfaces.1, time, &pair_force(state, *part))?;
+            }
+            Ok(())
+        }
+        _ => Ok(()),
     }
 }
 
@@ -129,40 +145,28 @@ fn contact_elements(source: &Source, table: &Table, cells: &[CellId]) -> Vec<Ele
 }
 
 /// What acts across and along the constraints that are closed, or damped while they are open, pair by pair.
-fn closed(source: &Source, value: impl Fn(&PointState) -> (f64, [f64; 2])) -> Vec<ContactRow> {
-    let labels = &source.terms.structure.mesh.point_labels;
+fn closed<'a>(
+    mesh: &Mesh,
+    states: impl Iterator<Item = &'a ContactState>,
+    value: impl Fn(&PointState) -> (f64, [f64; 2]),
+) -> Vec<ContactRow> {
     let acts = |p: &&PointState| p.status != ContactStatus::Open || p.pressure != 0.0;
-    let points = source.states.iter().flat_map(|state| &state.points).filter(acts);
     let row = |p: &PointState| {
         let (across, [one, other]) = value(p);
-        ContactRow { node: labels[p.node as usize], values: [across, one, other] }
+        ContactRow { node: mesh.point_labels[p.node as usize], values: [across, one, other] }
     };
-    points.map(row).collect()
+    states.flat_map(|state| &state.points).filter(acts).map(row).collect()
 }
 
 /// The resultant of a pair on its secondary side; without friction the normal part is all of it.
-fn pair_force(pair: &Contact, state: &ContactState, part: ForcePart, source: &Source) -> PairForce {
+fn pair_force(state: &ContactState, part: ForcePart) -> PairForce {
     let (force, moment) = match (part, &state.secondary_shear) {
         (ForcePart::Total, _) => state.total(),
         (ForcePart::Normal, _) => (state.secondary.force, state.secondary.moment),
         (ForcePart::Shear, Some(shear)) => (shear.force, shear.moment),
         (ForcePart::Shear, None) => return PairForce::default(),
     };
-    let points = &source.terms.structure.mesh.points;
-    let (mut center, mut normal, mut weight) = ([0.0; 3], [0.0; 3], 0.0);
-    for (point, now) in pair.points.iter().zip(&state.points).filter(|(_, now)| now.status != ContactStatus::Open) {
-        let area = now.measure.value();
-        weight += area;
-        for c in 0..3 {
-            center[c] += area * points[point.node as usize][c];
-            normal[c] -= area * point.normal[c];
-        }
-    }
-    let size = normal.iter().map(|n| n * n).sum::<f64>().sqrt();
-    if weight > 0.0 && size > 0.0 {
-        center.iter_mut().for_each(|c| *c /= weight);
-        normal.iter_mut().for_each(|n| *n /= size);
-    }
+    let (center, normal) = (state.center, state.normal);
     let normal_force: f64 = (0..3).map(|c| force[c] * normal[c]).sum();
     let along = (0..3).map(|c| (force[c] - normal_force * normal[c]).powi(2)).sum::<f64>().sqrt();
     let shear_force = if part == ForcePart::Normal || state.secondary_shear.is_none() { 0.0 } else { along };

@@ -1,10 +1,12 @@
 //! Writes a job's results: frames and histories of the results file, and the printed tables.
 
 use crate::certificate::{COLUMNS, Certificate, RunCertificate};
-use crate::fields::{Recovered, Source, measure_of, needs_recovery};
+use crate::contact_fields::{self, Shown};
+use crate::fields::{Recovered, Source, needs_recovery};
+use crate::histories;
 use crate::printed::{self, Printed};
 use crate::terms::Terms;
-use fe_contact::state::ContactState;
+use fe_contact::state::{ContactState, NodeValues};
 use fe_contact::summary::MeasureKind;
 use fe_core::increment::Attempt;
 use fe_core::procedure::Converged;
@@ -50,10 +52,6 @@ pub struct Recorder {
     seconds: f64,
 }
 
-/// Columns of a pair's history.
-const PAIR_COLUMNS: [&str; 8] =
-    ["force_1", "force_2", "force_3", "moment_1", "moment_2", "moment_3", "closed_area", "overclosure"];
-const PAIR_UNITS: [&str; 8] = ["F", "F", "F", "F L", "F L", "F L", "L²", "L"];
 /// Columns of the run's certificate.
 const RUN_COLUMNS: [&str; 13] = [
     "increments",
@@ -99,7 +97,10 @@ impl Recorder {
         let fixed = vec![false; at.u.len()];
         let start = Instant::now();
         let recovered = self.file.fields().iter().any(needs_recovery).then(|| Recovered::at(terms, &at.u));
-        let source = Source { terms, at, fixed: &fixed, states: &states, recovered: recovered.as_ref() };
+        let nodes = at_nodes(terms, &states);
+        let contacts: Vec<Shown> = states.iter().zip(&nodes).map(|(state, nodes)| (state, nodes.as_slice())).collect();
+        let source =
+            Source { terms, at, fixed: &fixed, states: &states, contacts: &contacts, recovered: recovered.as_ref() };
         self.frame(&source, (0, 0), &[])?;
         self.seconds += start.elapsed().as_secs_f64();
         Ok(())
@@ -115,10 +116,14 @@ impl Recorder {
         let recover = stored && self.file.fields().iter().any(needs_recovery)
             || tables.iter().any(|t| printed::needs_recovery(t));
         let recovered = recover.then(|| Recovered::at(terms, &now.at.u));
-        let source = Source { terms, at: now.at, fixed: now.fixed, states: now.states, recovered: recovered.as_ref() };
+        let nodes = if stored { at_nodes(terms, now.states) } else { Vec::new() };
+        let contacts: Vec<Shown> =
+            now.states.iter().zip(&nodes).map(|(state, nodes)| (state, nodes.as_slice())).collect();
+        let (at, fixed, states) = (now.at, now.fixed, now.states);
+        let source = Source { terms, at, fixed, states, contacts: &contacts, recovered: recovered.as_ref() };
         let certificate = now.certificate.row();
         let pairs: Vec<(String, Vec<f64>)> =
-            history_names(terms).into_iter().zip(now.states.iter().map(pair_row)).collect();
+            history_names(terms).into_iter().zip(now.states.iter().map(histories::row)).collect();
         let mut rows = vec![HistoryRow { name: CERTIFICATE, values: &certificate }];
         rows.extend(pairs.iter().map(|(name, values)| HistoryRow { name, values }));
         if stored {
@@ -152,6 +157,11 @@ impl Recorder {
         self.file.append_history(time, 0, 0, &[HistoryRow { name: RUN, values: &row }])?;
         self.file.finish(outcome)
     }
+}
+
+/// Results of all contacts at their nodes.
+fn at_nodes(terms: &Terms, states: &[ContactState]) -> Vec<Vec<NodeValues>> {
+    terms.contacts.iter().zip(states).map(|(pair, state)| pair.node_values(state)).collect()
 }
 
 /// The results file of a job on these bodies, with fields and histories.
@@ -202,35 +212,27 @@ pub fn chosen_fields(model: &Model, terms: &Terms) -> Vec<FieldInfo> {
             Some(words) => words.iter().any(|word| requested(word).contains(&field)),
         })
     };
-    let contact = |field: &FieldInfo| field.name.starts_with('C');
-    let line = |field: &FieldInfo| matches!(field.name, "SF" | "SM");
-    let along = |field: &FieldInfo| field.name.starts_with("CSHEAR") || field.name.starts_with("CSLIP");
     let rubs = terms.contacts.iter().any(|pair| pair.friction().is_some());
-    let without = |f: &FieldInfo| {
-        matches!(f.name, "V" | "PEEQ")
-            || contact(f) && terms.contacts.is_empty()
-            || along(f) && !rubs
-            || line(f) && terms.structure.lines.is_empty()
+    let first = terms.contacts.first().map(|contact| contact.summary().measure);
+    let points = terms.contacts.iter().flat_map(|contact| &contact.points);
+    let mut kinds: Vec<MeasureKind> = first.into_iter().collect();
+    for kind in points.map(|point| MeasureKind::of(point.measure)) {
+        if !kinds.contains(&kind) {
+            kinds.push(kind);
+        }
+    }
+    let there = |field: &FieldInfo| match field.name {
+        "V" | "PEEQ" => false,
+        "SF" | "SM" => !terms.structure.lines.is_empty(),
+        name if name.starts_with('C') => contact_fields::has(field, &kinds, rubs),
+        _ => true,
     };
-    let has = |kind: MeasureKind| {
-        let mut points = terms.contacts.iter().flat_map(|contact| &contact.points);
-        let first = terms.contacts.first().is_some_and(|contact| contact.summary().measure == kind);
-        first || points.any(|point| MeasureKind::of(point.measure) == kind)
-    };
-    let measured = |field: &FieldInfo| measure_of(field.name).is_none_or(has);
-    FIELDS.iter().filter(|f| wanted(f) && measured(f) && !without(f)).copied().collect()
+    FIELDS.iter().filter(|f| wanted(f) && there(f)).copied().collect()
 }
 
-/// Names of the pairs' histories: `/` and `.` cannot stand in them, and each is there once.
+/// Names of the pairs' histories.
 fn history_names(terms: &Terms) -> Vec<String> {
-    let mut names: Vec<String> = Vec::new();
-    for pair in &terms.contacts {
-        let plain = pair.name().replace(['/', '.'], "_");
-        let numbered = (2..).map(|n| format!("{plain} {n}"));
-        let name = std::iter::once(plain.clone()).chain(numbered).find(|name| !names.contains(name));
-        names.push(name.expect("one of endlessly many names is free"));
-    }
-    names
+    histories::names(terms.contacts.iter().map(|pair| pair.name()))
 }
 
 fn histories(terms: &Terms) -> Vec<HistoryInfo> {
@@ -253,19 +255,6 @@ fn histories(terms: &Terms) -> Vec<HistoryInfo> {
             meaning: "what the whole run took".into(),
         },
     ];
-    list.extend(history_names(terms).into_iter().map(|name| HistoryInfo {
-        name,
-        columns: own(&PAIR_COLUMNS),
-        units: own(&PAIR_UNITS),
-        meaning: "resultant of the pair on its secondary side".into(),
-    }));
+    list.extend(history_names(terms).iter().map(|name| histories::info(name)));
     list
-}
-
-fn pair_row(state: &ContactState) -> Vec<f64> {
-    let (force, moment) = state.total();
-    let mut row = force.to_vec();
-    row.extend(moment);
-    row.extend([state.closed_area, state.largest_overclosure.map_or(0.0, |l| l.1)]);
-    row
 }

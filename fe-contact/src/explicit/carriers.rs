@@ -17,7 +17,7 @@ pub struct RigidFollower {
 /// A rigid body in motion.
 #[derive(Clone, Debug)]
 pub(super) struct Body {
-    reference: u32,
+    pub reference: u32,
     /// The reference node at the start [L].
     start: Vec3,
     freedoms: [Option<usize>; 6],

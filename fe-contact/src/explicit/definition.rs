@@ -2,12 +2,15 @@
 
 use super::behaviour::Behaviour;
 use super::target::MainSurface;
+use crate::summary::MeasureKind;
 
 /// The secondary side: each node with what the law's number is multiplied by, area [L²], length [L], or 1.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Secondary {
     /// Nodes and their measures.
     pub nodes: Vec<(u32, f64)>,
+    /// What the law's number is.
+    pub kind: MeasureKind,
 }
 
 /// How contact is enforced.

@@ -11,14 +11,16 @@ mod pair;
 mod penalty;
 mod row;
 mod sides;
+mod state;
 mod target;
 
 pub use behaviour::{Behaviour, Normal, Separation};
 pub use carriers::RigidFollower;
 pub use definition::{Definition, Enforcement, Secondary};
 pub use general::{Acting, GeneralContact, GeneralCount, GeneralDefinition, GeneralFace, Sides};
-pub use pair::{ContactPair, PointState, Unsettled};
+pub use pair::{ContactPair, Unsettled};
 pub use sides::PairSides;
+pub use state::{NodeForce, Side, Tally};
 pub use target::MainSurface;
 
 #[cfg(test)]

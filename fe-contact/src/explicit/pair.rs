@@ -34,25 +34,6 @@ pub(super) struct Point {
     pub force: Vec3,
 }
 
-/// What is known of a secondary node.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct PointState {
-    /// Node.
-    pub node: u32,
-    /// Gap [L]; `None` where nothing is near.
-    pub opening: Option<f64>,
-    /// The law's number, positive in compression.
-    pub pressure: f64,
-    /// Shear in the same unit along t₁ and t₂.
-    pub shear: [f64; 2],
-    /// Slip while closed [L].
-    pub slip: [f64; 2],
-    /// Open, closed or slipping.
-    pub status: ContactStatus,
-    /// Area, length or 1.
-    pub measure: f64,
-}
-
 /// Increments in which impulses that depend on each other were still changing when their search ended.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Unsettled {
@@ -123,19 +104,6 @@ impl ContactPair {
             Enforcement::Kinematic(part) => Some(part),
             Enforcement::Penalty(_) => None,
         }
-    }
-
-    /// State of all secondary nodes.
-    pub fn states(&self) -> impl Iterator<Item = PointState> + '_ {
-        self.points.iter().map(|p| PointState {
-            node: self.carriers.nodes[p.index as usize],
-            opening: p.gap.is_finite().then_some(p.gap),
-            pressure: p.pressure,
-            shear: p.shear,
-            slip: p.slip,
-            status: p.status,
-            measure: p.measure,
-        })
     }
 
     /// `SECONDARY on MAIN`.

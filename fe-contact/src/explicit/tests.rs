@@ -8,6 +8,7 @@ use crate::law::exponential::Exponential;
 use crate::law::linear::Linear;
 use crate::point::ContactStatus;
 use crate::rigid::{Piece, RigidSurface, Sweep};
+use crate::summary::MeasureKind;
 use crate::viscous::{DampingAmount, ExplicitDamping};
 use fe_core::Freedoms;
 use fe_core::element::ElementType::MASS;
@@ -65,7 +66,7 @@ fn free(normal: Normal) -> Behaviour {
 fn definition(nodes: &[u32], main: MainSurface, law: Arc<dyn NormalLaw>) -> Definition {
     Definition {
         name: "S on M".into(),
-        secondary: Secondary { nodes: nodes.iter().map(|&n| (n, 1.0)).collect() },
+        secondary: Secondary { nodes: nodes.iter().map(|&n| (n, 1.0)).collect(), kind: MeasureKind::Force },
         main,
         behaviour: free(Normal::Softened(law)),
         enforcement: Enforcement::Penalty(1.0),

@@ -11,7 +11,6 @@ pub(super) const CARDS: &[(&str, &str)] = &[
     ("FILE OUTPUT", "results are written as VTKHDF"),
     ("ENERGY PRINT", "energies are part of each increment's certificate"),
     ("ENERGY FILE", "energies are part of each increment's certificate"),
-    ("ENERGY OUTPUT", "energies are part of each increment's certificate"),
     ("INCREMENTATION OUTPUT", "the log shows each increment"),
     ("PHYSICAL CONSTANTS", "nothing here needs them"),
     ("DATA CHECK", "say `fe check`"),

@@ -113,6 +113,7 @@ pub const CARDS: &[&Keyword] = &[
     &output::NODE_OUTPUT,
     &output::ELEMENT_OUTPUT,
     &output::CONTACT_OUTPUT,
+    &output::ENERGY_OUTPUT,
     &output::NODE_FILE,
     &output::EL_FILE,
     &output::CONTACT_FILE,

@@ -1,7 +1,7 @@
 use super::{Choice, Data, DataLine, Field, Keyword, Kind, Level, Parameter};
 
 const FREQUENCY: Parameter =
-    Parameter::of("FREQUENCY", Kind::Whole, "every how many increments a frame is stored, and the last of a step");
+    Parameter::of("FREQUENCY", Kind::Whole, "every how many increments something is stored, and the last of a step");
 const VARIABLE: Parameter = Parameter::choice(
     "VARIABLE",
     &[Choice::there("PRESELECT"), Choice::there("ALL")],
@@ -16,7 +16,10 @@ pub const OUTPUT: Keyword = Keyword {
     summary: "what the results file holds; the *… OUTPUT cards follow",
     parameters: &[
         Parameter::flag("FIELD", "fields of the results file"),
-        Parameter::flag("HISTORY", "without effect: curves come from *NODE PRINT and *CONTACT PRINT"),
+        Parameter::flag(
+            "HISTORY",
+            "explicit: rows of numbers in time, of what the cards below name; in static steps curves come from *NODE PRINT and *CONTACT PRINT",
+        ),
         FREQUENCY,
         VARIABLE,
         Parameter::of(
@@ -31,9 +34,9 @@ pub const OUTPUT: Keyword = Keyword {
         Parameter::of(
             "NUMBER INTERVAL",
             Kind::Whole,
-            "explicit: frames at the ends of so many equal parts of the step; 20",
+            "explicit: at the ends of so many equal parts of the step; 20, of histories 200",
         ),
-        Parameter::of("TIME INTERVAL", Kind::Number, "explicit: frames every so long [T] of step time"),
+        Parameter::of("TIME INTERVAL", Kind::Number, "explicit: every so long [T] of step time"),
         Parameter::not_yet("TIME POINTS", OFTEN),
         Parameter::idle("TIME MARKS", "a frame comes with the increment that reaches its time"),
         Parameter::idle("NAME", "there is one results file"),
@@ -46,10 +49,10 @@ pub const OUTPUT: Keyword = Keyword {
 const FIELDS: &[Parameter] = &[
     VARIABLE,
     FREQUENCY,
-    Parameter::idle("NSET", REGION),
-    Parameter::idle("ELSET", REGION),
-    Parameter::idle("SECONDARY", REGION).alias("SLAVE"),
-    Parameter::idle("MAIN", REGION).alias("MASTER"),
+    Parameter::name("NSET", "the nodes of a history; fields are stored for the whole model"),
+    Parameter::name("ELSET", "the elements of a history; fields are stored for the whole model"),
+    Parameter::name("SECONDARY", "secondary surface of the pair of a history, with MAIN").alias("SLAVE"),
+    Parameter::name("MAIN", "main surface of that pair").alias("MASTER"),
     Parameter::idle("SURFACE", REGION),
     Parameter::not_yet("CPSET", REGION),
     Parameter::idle("POSITION", "stresses are averaged at the nodes"),
@@ -72,25 +75,46 @@ const fn fields(name: &'static str, summary: &'static str, keys: &'static [DataL
     }
 }
 
-const NODE: &[DataLine] =
-    &[DataLine::many(&[
-        Field::word("field", "U displacements, RF reactions, in explicit steps V velocities").repeats()
-    ])];
-const ELEMENT: &[DataLine] = &[DataLine::many(&[Field::word(
+const NODE: &[DataLine] = &[DataLine::many(&[Field::word(
     "field",
-    "S stresses, MISES, E strains, of lines SF and SM; in explicit steps S, MISES, PEEQ",
+    "U displacements, RF reactions, in explicit steps V velocities; histories also of one component, U1",
 )
 .repeats()])];
-const CONTACT: &[DataLine] =
-    &[DataLine::many(&[
-        Field::word("field", "CSTRESS pressure and shear, CDISP gap and slip, CSTATUS, CFORCE").repeats()
-    ])];
+const ELEMENT: &[DataLine] = &[DataLine::many(&[Field::word(
+    "field",
+    "S stresses, MISES, E strains, of lines SF and SM; in explicit steps S, MISES, PEEQ, histories also of one component, S11",
+)
+.repeats()])];
+const CONTACT: &[DataLine] = &[DataLine::many(&[Field::word(
+    "field",
+    "CSTRESS pressure and shear, CDISP gap and slip, CSTATUS, CFORCE, CNAREA; histories: CFN, CFS, CFT, CMT, CAREA",
+)
+.repeats()])];
 
-pub const NODE_OUTPUT: Keyword = fields("NODE OUTPUT", "nodal fields of the results file, under *OUTPUT", NODE);
+pub const NODE_OUTPUT: Keyword =
+    fields("NODE OUTPUT", "nodal fields or histories of the results file, under *OUTPUT", NODE);
 pub const ELEMENT_OUTPUT: Keyword =
-    fields("ELEMENT OUTPUT", "element fields of the results file, under *OUTPUT", ELEMENT);
+    fields("ELEMENT OUTPUT", "element fields or histories of the results file, under *OUTPUT", ELEMENT);
 pub const CONTACT_OUTPUT: Keyword =
-    fields("CONTACT OUTPUT", "contact fields of the results file, under *OUTPUT", CONTACT);
+    fields("CONTACT OUTPUT", "contact fields or histories of the results file, under *OUTPUT", CONTACT);
 pub const NODE_FILE: Keyword = fields("NODE FILE", "nodal fields of the results file", NODE);
 pub const EL_FILE: Keyword = fields("EL FILE", "element fields of the results file", ELEMENT);
 pub const CONTACT_FILE: Keyword = fields("CONTACT FILE", "contact fields of the results file", CONTACT);
+
+pub const ENERGY_OUTPUT: Keyword = Keyword {
+    name: "ENERGY OUTPUT",
+    level: Level::Step,
+    summary: "energies of explicit steps in time, under *OUTPUT, HISTORY: all of them stand side by side",
+    parameters: &[
+        VARIABLE,
+        Parameter::not_yet("ELSET", "energies are those of the whole model"),
+        Parameter::not_yet("PER ELEMENT SET", "energies are those of the whole model"),
+        Parameter::not_yet("TIME POINTS", OFTEN),
+    ],
+    data: Data::Lines(&[DataLine::many(&[Field::word(
+        "energy",
+        "ALLKE, ALLSE, ALLPD, ALLAE, ALLIE, ALLVD, ALLFD, ALLCW (contact), ALLWK, ETOTAL",
+    )
+    .repeats()])]),
+    source: "Abaqus Keywords Reference, *ENERGY OUTPUT",
+};

@@ -55,6 +55,11 @@ impl ExplicitPairs {
         active.collect()
     }
 
+    /// Names of the secondary and the main surface of each pair so far.
+    pub fn names(&self) -> Vec<[String; 2]> {
+        self.list.iter().map(|(pair, _)| [pair.secondary_name.clone(), pair.main_name.clone()]).collect()
+    }
+
     /// Reads a `*CONTACT PAIR`.
     pub fn read(
         &mut self,

@@ -20,6 +20,7 @@ mod formula;
 mod friction;
 mod general_contact;
 mod hard;
+mod histories;
 mod interactions;
 mod interferences;
 mod labels;

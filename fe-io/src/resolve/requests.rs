@@ -1,5 +1,6 @@
 //! What a step prints and stores.
 
+use super::histories::Histories;
 use super::procedures::only_for;
 use super::scene::{Analysis, Scene};
 use super::which_pair;
@@ -7,8 +8,7 @@ use crate::deck::card::{Token, normalized};
 use crate::deck::number::number;
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::keyword::check::Entry;
-use crate::model::{ForcePart, Frames, Output, Place, Quantity, Table, Totals};
-use fe_contact::pair::PairDefinition;
+use crate::model::{ForcePart, Frames, Output, Quantity, Table, Totals};
 use fe_core::element::Family;
 use fe_mesh::CellId;
 use std::collections::BTreeMap;
@@ -33,6 +33,7 @@ pub struct Requests {
     seen: Vec<&'static str>,
     /// True after `*OUTPUT, HISTORY`.
     history: bool,
+    histories: Histories,
     /// True after `*OUTPUT, VARIABLE=`: the cards below it add to these fields.
     preselected: bool,
 }
@@ -50,7 +51,7 @@ impl Requests {
         &mut self,
         entry: &Entry<'_>,
         scene: &mut Scene<'_>,
-        pairs: &[(PairDefinition, Place)],
+        pairs: &[[String; 2]],
         diagnostics: &mut Diagnostics,
     ) {
         let kind = entry.keyword.name;
@@ -66,6 +67,10 @@ impl Requests {
             }
         } else if kind == "OUTPUT" {
             self.output(entry, scene, diagnostics);
+        } else if (self.history || kind == "ENERGY OUTPUT") && kind.ends_with("OUTPUT") {
+            if scene.analysis == Analysis::Explicit {
+                self.histories.read(entry, self.history, (scene, pairs), diagnostics);
+            }
         } else {
             self.fields(entry, scene, diagnostics);
         }
@@ -80,6 +85,10 @@ impl Requests {
     /// `*OUTPUT`.
     fn output(&mut self, entry: &Entry<'_>, scene: &Scene<'_>, diagnostics: &mut Diagnostics) {
         self.history = entry.has("HISTORY");
+        if self.history && scene.analysis == Analysis::Explicit {
+            let first = self.first("OUTPUT, HISTORY");
+            return self.histories.begin(entry, first, diagnostics);
+        }
         if self.history {
             let note = Diagnostic::note(entry.card.span, "`*OUTPUT, HISTORY` has no effect");
             diagnostics.push(note.label("`*NODE PRINT` and `*CONTACT PRINT` give curves"));
@@ -91,31 +100,11 @@ impl Requests {
             self.frames = None;
         }
         self.common(entry, KINDS, scene.analysis);
-        self.intervals(entry, scene, diagnostics);
-        self.preselected = entry.has("VARIABLE");
-    }
-
-    /// `NUMBER INTERVAL` and `TIME INTERVAL` of explicit steps.
-    fn intervals(&mut self, entry: &Entry<'_>, scene: &Scene<'_>, diagnostics: &mut Diagnostics) {
-        let names = ["FREQUENCY", "NUMBER INTERVAL", "TIME INTERVAL"];
         if scene.analysis == Analysis::Static {
-            only_for(entry, &names[1..], Analysis::Explicit, diagnostics);
+            only_for(entry, &["NUMBER INTERVAL", "TIME INTERVAL"], Analysis::Explicit, diagnostics);
         }
-        let given: Vec<_> = names.iter().filter_map(|name| Some((name, entry.parameter(name)?))).collect();
-        if let [(one, first), (other, second), ..] = given[..] {
-            let title = format!("`{other}` of `*OUTPUT` cannot be used with `{one}`");
-            diagnostics.push(Diagnostic::error(second.span, title).related(first.span, "the other one"));
-        }
-        let mut positive = |name: &str| {
-            let value = entry.value(name)?;
-            let found = number(&value.text)?;
-            if found <= 0.0 {
-                diagnostics.push(Diagnostic::error(value.span, format!("`{name}` of `*OUTPUT` must be > 0")));
-            }
-            (found > 0.0).then_some(found)
-        };
-        let parts = positive("NUMBER INTERVAL").map(|parts| Frames::Parts(parts as usize));
-        self.frames = positive("TIME INTERVAL").map(Frames::Time).or(parts).or(self.frames);
+        self.frames = intervals(entry, diagnostics).or(self.frames);
+        self.preselected = entry.has("VARIABLE");
     }
 
     /// `FREQUENCY` and `VARIABLE`: all fields of some kinds of cards.
@@ -132,8 +121,9 @@ impl Requests {
     }
 
     fn fields(&mut self, entry: &Entry<'_>, scene: &Scene<'_>, diagnostics: &mut Diagnostics) {
-        if self.history && entry.keyword.name.ends_with("OUTPUT") {
-            return;
+        for region in ["NSET", "ELSET", "SECONDARY", "MAIN"].into_iter().filter_map(|name| entry.parameter(name)) {
+            let title = format!("`{}` of `*{}` has no effect", region.name, entry.keyword.name);
+            diagnostics.push(Diagnostic::note(region.span, title).label("fields are stored for the whole model"));
         }
         let kind = match entry.keyword.name {
             "NODE OUTPUT" | "NODE FILE" => "NODE",
@@ -168,8 +158,29 @@ impl Requests {
         let fields =
             self.chosen.then(|| KINDS.iter().filter_map(|kind| self.fields.get(kind)).flatten().cloned().collect());
         let usual = if analysis == Analysis::Explicit { Frames::EXPLICIT } else { Frames::Increments(1) };
-        Output { tables, fields, frames: self.frames.unwrap_or(usual) }
+        Output { tables, fields, frames: self.frames.unwrap_or(usual), histories: self.histories.in_force(analysis) }
     }
+}
+
+/// `FREQUENCY`, `NUMBER INTERVAL` or `TIME INTERVAL` of an `*OUTPUT`.
+pub fn intervals(entry: &Entry<'_>, diagnostics: &mut Diagnostics) -> Option<Frames> {
+    let names = ["FREQUENCY", "NUMBER INTERVAL", "TIME INTERVAL"];
+    let given: Vec<_> = names.iter().filter_map(|name| Some((name, entry.parameter(name)?))).collect();
+    if let [(one, first), (other, second), ..] = given[..] {
+        let title = format!("`{other}` of `*OUTPUT` cannot be used with `{one}`");
+        diagnostics.push(Diagnostic::error(second.span, title).related(first.span, "the other one"));
+    }
+    let mut positive = |name: &str| {
+        let value = entry.value(name)?;
+        let found = number(&value.text)?;
+        if found <= 0.0 {
+            diagnostics.push(Diagnostic::error(value.span, format!("`{name}` of `*OUTPUT` must be > 0")));
+        }
+        (found > 0.0).then_some(found)
+    };
+    let parts = positive("NUMBER INTERVAL").map(|parts| Frames::Parts(parts as usize));
+    let times = positive("TIME INTERVAL").map(Frames::Time);
+    times.or(parts).or(entry.whole("FREQUENCY").map(|every| Frames::Increments(every as usize)))
 }
 
 /// Kinds of cards that choose fields.
@@ -182,7 +193,7 @@ fn known_fields(kind: &str, analysis: Analysis) -> &'static [&'static str] {
         ("NODE", Analysis::Explicit) => &["U", "V", "RF"],
         ("ELEMENT", Analysis::Static) => &["S", "E", "MISES", "SF", "SM"],
         ("ELEMENT", Analysis::Explicit) => &["S", "MISES", "PEEQ"],
-        _ => &["CSTRESS", "CDISP", "CSTATUS", "CFORCE"],
+        _ => &["CSTRESS", "CDISP", "CSTATUS", "CFORCE", "CNAREA"],
     }
 }
 
@@ -199,12 +210,12 @@ fn full_name(word: &str) -> &str {
 const NOT_YET: &[&str] = &[
     "V", "A", "E", "SF", "SM", "NT", "NT11", "RFL", "RFL11", "TSF", "TF", "RM", "UR", "UT", "COORD", "POR", "PEEQ",
     "PE", "LE", "EE", "NE", "ME", "THE", "SDV", "ENER", "EVOL", "ELSE", "ELKE", "EMAS", "EBHE", "SENER", "HFL", "SINV",
-    "SP", "EP", "PEMAG", "PEQC", "CELS", "CNUM", "CAREA", "CNAREA", "CDSTRESS", "PCON", "PHS", "MAXE", "ZZS", "ERR",
-    "KEQ", "CFT", "CM", "CMN", "CMS", "CMT", "XN", "XS", "XT", "CTRQ", "SOF", "SOM", "SOAREA", "STATUS", "VOLC",
-    "SDEG", "ZZSERR",
+    "SP", "EP", "PEMAG", "PEQC", "CELS", "CNUM", "CAREA", "CDSTRESS", "PCON", "PHS", "MAXE", "ZZS", "ERR", "KEQ",
+    "CFT", "CM", "CMN", "CMS", "CMT", "XN", "XS", "XT", "CTRQ", "ALLCD", "ALLCCDW", "ALLDC", "ALLDMD", "ALLEE",
+    "ALLHF", "ALLIHE", "ALLMW", "ALLPW", "SOF", "SOM", "SOAREA", "STATUS", "VOLC", "SDEG", "ZZSERR",
 ];
 
-fn unknown_key(token: Token<'_>, word: &str, entry: &Entry<'_>, known: &[&str]) -> Diagnostic {
+pub fn unknown_key(token: Token<'_>, word: &str, entry: &Entry<'_>, known: &[&str]) -> Diagnostic {
     let star = entry.keyword.name;
     if NOT_YET.contains(&word) {
         let fault = Diagnostic::error(token.span, format!("`{word}` of `*{star}` is not there yet"));
@@ -214,7 +225,7 @@ fn unknown_key(token: Token<'_>, word: &str, entry: &Entry<'_>, known: &[&str]) 
 }
 
 /// The quantity of a key.
-fn quantity(star: &str, word: &str, pair: Option<usize>) -> Option<Quantity> {
+fn quantity(star: &str, word: &str, pair: Option<[String; 2]>) -> Option<Quantity> {
     Some(match (star, word) {
         ("NODE PRINT", "U") => Quantity::Displacement,
         ("NODE PRINT", "V") => Quantity::Velocity,
@@ -233,7 +244,7 @@ fn quantity(star: &str, word: &str, pair: Option<usize>) -> Option<Quantity> {
 fn tables_of(
     entry: &Entry<'_>,
     scene: &mut Scene<'_>,
-    pairs: &[(PairDefinition, Place)],
+    pairs: &[[String; 2]],
     diagnostics: &mut Diagnostics,
 ) -> Vec<Table> {
     let star = entry.keyword.name;
@@ -245,7 +256,9 @@ fn tables_of(
         _ => &["CSTRESS", "CDISP", "CF", "CFN", "CFS"],
     };
     let Some(set) = set_name(entry, scene, diagnostics) else { return Vec::new() };
-    let pair = which_pair::of_parameters(entry, pairs, scene, diagnostics);
+    let surfaces = which_pair::surfaces(entry, diagnostics);
+    let pair = surfaces.and_then(|surfaces| which_pair::among(surfaces, pairs, scene, diagnostics));
+    let pair = pair.map(|at| pairs[at].clone());
     // Explicit steps have too many increments for a table of each.
     let usual = if scene.analysis == Analysis::Explicit { Frames::LAST } else { Frames::Increments(1) };
     let when = entry.whole("FREQUENCY").map_or(usual, |n| Frames::Increments(n as usize));
@@ -262,7 +275,7 @@ fn tables_of(
     for token in tokens.filter(|token| !token.text.is_empty()) {
         let word = normalized(token.text);
         let word = full_name(&word);
-        let Some(quantity) = quantity(star, word, pair).filter(|_| known.contains(&word)) else {
+        let Some(quantity) = quantity(star, word, pair.clone()).filter(|_| known.contains(&word)) else {
             diagnostics.push(unknown_key(token, word, entry, known));
             continue;
         };
@@ -312,10 +325,10 @@ fn without_effect(entry: &Entry<'_>, tables: &[Table], diagnostics: &mut Diagnos
 }
 
 /// Name of the set of a table; empty for contact; `None` when it is not there, which is told.
-fn set_name(entry: &Entry<'_>, scene: &mut Scene<'_>, diagnostics: &mut Diagnostics) -> Option<String> {
+pub fn set_name(entry: &Entry<'_>, scene: &mut Scene<'_>, diagnostics: &mut Diagnostics) -> Option<String> {
     let parameter = match entry.keyword.name {
-        "NODE PRINT" => "NSET",
-        "EL PRINT" => "ELSET",
+        "NODE PRINT" | "NODE OUTPUT" => "NSET",
+        "EL PRINT" | "ELEMENT OUTPUT" => "ELSET",
         _ => return Some(String::new()),
     };
     let Some(value) = entry.value(parameter) else {

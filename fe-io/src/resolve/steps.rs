@@ -6,7 +6,7 @@ use super::interactions::Interactions;
 use super::requests::Requests;
 use super::scene::{Analysis, Scene};
 use super::supports::Supports;
-use super::{conditions, controls, general_contact, loads, mass_scaling, procedures};
+use super::{conditions, controls, general_contact, loads, mass_scaling, procedures, which_pair};
 use crate::deck::source::Span;
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::keyword::check::Entry;
@@ -128,7 +128,11 @@ pub fn read(
             "CLOAD" => loads[0].extend(loads::read(entry, scene, named.amplitudes, diagnostics)),
             "DLOAD" | "DSLOAD" => loads[1].extend(loads::read(entry, scene, named.amplitudes, diagnostics)),
             name if name.ends_with("PRINT") || name.ends_with("OUTPUT") || name.ends_with("FILE") => {
-                in_force.requests.read(entry, scene, named.pairs, diagnostics);
+                let pairs = match scene.analysis {
+                    Analysis::Static => which_pair::names(named.pairs),
+                    Analysis::Explicit => in_force.explicit_pairs.names(),
+                };
+                in_force.requests.read(entry, scene, &pairs, diagnostics);
             }
             _ => {}
         }
@@ -207,6 +211,7 @@ impl InForce {
 const IDLE: &[(&str, Analysis, &str)] = &[
     ("CONTROLS", Analysis::Explicit, "explicit increments do not iterate"),
     ("BULK VISCOSITY", Analysis::Static, "nothing moves at a speed"),
+    ("ENERGY OUTPUT", Analysis::Static, "energies are part of each increment's certificate"),
     ("FIXED MASS SCALING", Analysis::Static, "masses have no inertia"),
     ("VARIABLE MASS SCALING", Analysis::Static, "masses have no inertia"),
 ];

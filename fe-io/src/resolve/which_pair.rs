@@ -15,6 +15,11 @@ pub fn of_parameters(
     scene: &Scene<'_>,
     diagnostics: &mut Diagnostics,
 ) -> Option<usize> {
+    named(surfaces(entry, diagnostics)?, pairs, scene, diagnostics)
+}
+
+/// `SECONDARY=` and `MAIN=`; one without the other is told.
+pub fn surfaces<'a>(entry: &'a Entry<'_>, diagnostics: &mut Diagnostics) -> Option<(Token<'a>, Token<'a>)> {
     let (main, secondary) = (entry.value("MAIN"), entry.value("SECONDARY"));
     let (Some(main), Some(secondary)) = (main, secondary) else {
         // Where both are required, the missing one was told.
@@ -25,7 +30,7 @@ pub fn of_parameters(
         return None;
     };
     let [secondary, main] = [secondary, main].map(|value| Token { text: &value.text, span: value.span });
-    named((secondary, main), pairs, scene, diagnostics)
+    Some((secondary, main))
 }
 
 /// The contact elements of a set, an index into all contacts: they come after the pairs. A missing one is told, unless
@@ -58,17 +63,32 @@ pub fn is_tied(entry: &Entry<'_>, (pair, place): &(PairDefinition, Place), diagn
 
 /// The pair of two surfaces; a missing one is told, unless faults of the pairs explain it.
 pub fn named(
-    (secondary, main): (Token<'_>, Token<'_>),
+    surfaces: (Token<'_>, Token<'_>),
     pairs: &[(PairDefinition, Place)],
     scene: &Scene<'_>,
     diagnostics: &mut Diagnostics,
 ) -> Option<usize> {
+    among(surfaces, &names(pairs), scene, diagnostics)
+}
+
+/// Names of the secondary and the main surface of each pair.
+pub fn names(pairs: &[(PairDefinition, Place)]) -> Vec<[String; 2]> {
+    pairs.iter().map(|(pair, _)| [pair.secondary_name.clone(), pair.main_name.clone()]).collect()
+}
+
+/// Where in a list of such names that of two surfaces stands; the same.
+pub fn among(
+    (secondary, main): (Token<'_>, Token<'_>),
+    pairs: &[[String; 2]],
+    scene: &Scene<'_>,
+    diagnostics: &mut Diagnostics,
+) -> Option<usize> {
     let names = [secondary, main].map(|token| scene.full_name(token.text));
-    let found = pairs.iter().position(|(p, _)| p.secondary_name == names[0] && p.main_name == names[1]);
+    let found = pairs.iter().position(|pair| *pair == names);
     if found.is_none() && diagnostics.faults() == 0 {
         let title = format!("there is no contact pair of `{}` and `{}`", names[0], names[1]);
         let there: Vec<String> =
-            pairs.iter().map(|(p, _)| format!("SECONDARY={}, MAIN={}", p.secondary_name, p.main_name)).collect();
+            pairs.iter().map(|[secondary, main]| format!("SECONDARY={secondary}, MAIN={main}")).collect();
         let fault = Diagnostic::error(secondary.span, title);
         diagnostics.push(fault.known("", there.iter().map(String::as_str)));
     }

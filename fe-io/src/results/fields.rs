@@ -79,6 +79,7 @@ pub const FIELDS: &[FieldInfo] = &[
     field("COPEN", "CDISP", "L", "contact gap, negative when overclosed; secondary nodes"),
     field("CSLIP1", "CDISP", "L", "slip along t₁ while closed; secondary nodes"),
     field("CSLIP2", "CDISP", "L", "slip along t₂ while closed; secondary nodes"),
+    field("CNAREA", "CNAREA", "L²", "area that a secondary node stands for"),
     field("CSTATUS", "CSTATUS", "1", "0 open, 1 closed (with friction: sticking), 2 slipping; secondary nodes"),
     with(VECTOR, field("CNORMF", "CFORCE", "F", "force of the contact pressure on the node, both sides")),
     with(VECTOR, field("CSHEARF", "CFORCE", "F", "force of friction on the node, both sides")),

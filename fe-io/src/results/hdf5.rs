@@ -12,7 +12,9 @@ use super::fields::{FieldInfo, Location};
 use super::grid::Grid;
 use super::history::{self, HistoryInfo, HistoryRow};
 use super::steps;
+use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
+use std::time::{Duration, Instant};
 
 /// The job, as the file's reader should know it.
 #[derive(Clone, Copy, Debug, Default)]
@@ -50,7 +52,13 @@ pub struct ResultsFile {
     /// Where the file is until its first frame is complete.
     unfinished: Option<PathBuf>,
     halted: bool,
+    /// Rows of histories that wait to be written, and since when.
+    kept: BTreeMap<String, Vec<f64>>,
+    since: Option<Instant>,
 }
+
+/// Longest time that rows of histories wait: opening and closing the file takes some milliseconds.
+const LONGEST_WAIT: Duration = Duration::from_secs(1);
 
 /// Sessions in which the container moves the headers that have grown to where they stay.
 const SETTLING_SESSIONS: usize = 2;
@@ -84,6 +92,8 @@ impl ResultsFile {
             frames: 0,
             unfinished: Some(unfinished),
             halted: false,
+            kept: BTreeMap::new(),
+            since: None,
         })
     }
 
@@ -114,6 +124,7 @@ impl ResultsFile {
         for (field, values) in self.fields.iter().zip(frame.fields) {
             ResultsError::length(format!("field {}", field.name), self.values_of(field), values.len())?;
         }
+        self.write_kept()?;
         self.session(|this, file| {
             for (field, values) in this.fields.iter().zip(frame.fields) {
                 this.append_field(file, field, values)?;
@@ -137,13 +148,40 @@ impl ResultsFile {
         increment: usize,
         rows: &[HistoryRow],
     ) -> Result<(), ResultsError> {
+        self.keep_history(time, step, increment, rows)?;
+        self.write_kept()
+    }
+
+    /// The same of increments that follow each other fast: rows are written together, after a second or with what comes next.
+    pub fn keep_history(
+        &mut self,
+        time: f64,
+        step: usize,
+        increment: usize,
+        rows: &[HistoryRow],
+    ) -> Result<(), ResultsError> {
         self.check_rows(rows)?;
-        let head = [time, step as f64, increment as f64];
-        self.session(|_, file| rows.iter().try_for_each(|&row| history::append(file, head, row)))
+        for row in rows {
+            let kept = self.kept.entry(row.name.to_owned()).or_default();
+            kept.extend([time, step as f64, increment as f64]);
+            kept.extend(row.values);
+        }
+        let since = *self.since.get_or_insert_with(Instant::now);
+        if since.elapsed() >= LONGEST_WAIT { self.write_kept() } else { Ok(()) }
+    }
+
+    fn write_kept(&mut self) -> Result<(), ResultsError> {
+        self.since = None;
+        let kept = std::mem::take(&mut self.kept);
+        if kept.is_empty() {
+            return Ok(());
+        }
+        self.session(|_, file| kept.iter().try_for_each(|(name, rows)| history::append_rows(file, name, rows)))
     }
 
     /// Notes how the job ended (`completed`, `failed`; until then the file says `running`) and waits for the disk.
     pub fn finish(mut self, outcome: &str) -> Result<(), ResultsError> {
+        self.write_kept()?;
         self.take_its_name()?;
         let file = RustHdf5::open(&self.path)?;
         file.attribute(Owner::Group("Signorini"), "outcome", Attribute::Text(outcome))?;

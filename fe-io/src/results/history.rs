@@ -75,7 +75,12 @@ pub(crate) fn create(file: &impl Container, history: &HistoryInfo) -> Result<(),
 /// Adds a row: `head` is time [T], step, increment.
 pub(crate) fn append(file: &impl Container, head: [f64; 3], row: HistoryRow) -> Result<(), ResultsError> {
     let numbers: Vec<f64> = head.iter().chain(row.values).copied().collect();
-    file.append(&path(row.name), Numbers::Real(&numbers))
+    append_rows(file, row.name, &numbers)
+}
+
+/// Adds whole rows, each with its time, step, increment.
+pub(crate) fn append_rows(file: &impl Container, name: &str, rows: &[f64]) -> Result<(), ResultsError> {
+    file.append(&path(name), Numbers::Real(rows))
 }
 
 #[cfg(test)]

@@ -11,6 +11,7 @@ use fe_contact::facet::{Facet, Vec3};
 use fe_contact::friction::{Coulomb, Friction, Spring, Stick};
 use fe_contact::interaction::{Interaction, NormalBehavior};
 use fe_contact::pair::{ExplicitPair, MechanicalConstraint};
+use fe_contact::summary::MeasureKind;
 use fe_contact::surface::{self, Main};
 use fe_contact::viscous::DampingAmount;
 use fe_core::element::Family;
@@ -183,10 +184,19 @@ fn is_without(damping: DampingAmount) -> bool {
     amount == 0.0
 }
 
+/// What the law's number is at the points of a pair.
+pub fn kind(secondary: &surface::Secondary) -> MeasureKind {
+    match secondary {
+        surface::Secondary::Faces(_) => MeasureKind::Pressure,
+        surface::Secondary::Lines(_) => MeasureKind::ForcePerLength,
+        surface::Secondary::Nodes(_) => MeasureKind::Force,
+    }
+}
+
 /// WEIGHT=, or what is usual: half and half for the faces of two deformable bodies. Where one side alone can be secondary (nodes
 /// and lines have no faces, an analytical surface has no nodes, and kinematic contact does not move what is rigid) it is the
 /// first one.
-fn weight(structure: &Structure, pair: &ExplicitPair) -> f64 {
+pub fn weight(structure: &Structure, pair: &ExplicitPair) -> f64 {
     let (surface::Secondary::Faces(first), Main::Faces(second)) = (&pair.secondary, &pair.main) else { return 0.0 };
     let deformable = |faces: &[Face]| faces.iter().all(|face| family(structure, face) == Family::Solid);
     match (deformable(first) && deformable(second), pair.constraint) {
@@ -225,5 +235,5 @@ fn secondary(structure: &Structure, side: &surface::Secondary) -> Secondary {
         }
         surface::Secondary::Nodes(list) => measures.extend(list.iter().map(|node| (node.0, 1.0))),
     }
-    Secondary { nodes: measures.into_iter().collect() }
+    Secondary { nodes: measures.into_iter().collect(), kind: kind(side) }
 }

@@ -13,6 +13,9 @@ use fe_io::model::Step;
 use fe_mesh::{Face, Mesh, exterior};
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 
+/// What it is called.
+pub const NAME: &str = "general contact";
+
 /// The general contact of a step; `None` where it has none, or nothing may touch.
 pub fn general(scene: &Scene, model: &Model, step: &Step) -> Option<GeneralContact> {
     let contact = step.general_contact.as_ref()?;
@@ -33,7 +36,7 @@ pub fn general(scene: &Scene, model: &Model, step: &Step) -> Option<GeneralConta
     }
     let assigned = contact.interactions.iter().map(|(_, interaction)| Some(&model.interactions[*interaction]));
     let definition = GeneralDefinition {
-        name: "general contact".into(),
+        name: NAME.into(),
         faces,
         table,
         behaviours: [None].into_iter().chain(assigned).map(behaviour).collect(),

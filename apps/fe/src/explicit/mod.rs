@@ -1,27 +1,32 @@
 //! Explicit jobs: step by step, increment by increment, with frames at equal intervals of time.
 
 mod contact;
+mod contact_states;
+mod energies;
 mod general;
 mod plan;
 mod record;
 mod scene;
+mod series;
+mod values;
 
 use crate::certificate::RunCertificate;
 use crate::course::Course;
 use crate::job::{JobFailure, Report};
 use crate::observer::{Event, Observer};
 use crate::plan::Plan;
+pub use energies::{Balance, Frame};
 use fe_core::explicit::Halt;
 use fe_core::explicit::central_difference::{CentralDifference, State, Support};
 use fe_core::procedure::Converged;
 use fe_core::step::{Explicit, IncrementChoice, Procedure};
 use fe_io::Model;
-use fe_io::model::{Frames, Step};
-use record::Record;
-pub use record::{Balance, Frame};
+use fe_io::model::Step;
+use record::{Left, Record, Turn};
 use scene::Scene;
 use std::path::Path;
 use std::time::Instant;
+use values::Moment;
 
 /// Part of the largest stable increment that is used [-]: the increment is that of the state before, which the next one may
 /// stiffen.
@@ -137,13 +142,14 @@ impl Run<'_> {
         let mut course = Course::new(model);
         for (index, step) in model.steps.iter().enumerate() {
             enter(model, index, &mut course, self.scene, self.state)?;
-            self.step((index + 1, step), &course, observer)?;
+            self.step(model, (index + 1, step), &course, observer)?;
         }
         Ok(())
     }
 
     fn step(
         &mut self,
+        model: &Model,
         (number, step): (usize, &Step),
         course: &Course,
         observer: &mut dyn Observer,
@@ -152,7 +158,8 @@ impl Run<'_> {
         let Begun { mut procedure, fixed, plan } = begin((number, step), course, self.scene, self.state)?;
         observer.event(Event::Step { number, plan: &plan, period: explicit.period });
         if number == 1 {
-            self.record.frame((self.scene, self.state, &procedure, &fixed), (0, 0))?;
+            let at = moment((model, self.scene), self.state, &procedure, &fixed);
+            self.record.increment(at, &Turn::START, &step.output)?;
         }
         let mut increment = 0;
         let mut last = self.state.dt;
@@ -177,24 +184,20 @@ impl Run<'_> {
             }
             increment += 1;
             self.certificate.increments += 1;
-            let due = |when: &Frames| when.hold(increment, [before, self.state.step_time], explicit.period);
-            let at = (&*self.scene, &*self.state, &procedure, fixed.as_slice());
-            let tables: Vec<_> = step.output.tables.iter().filter(|table| due(&table.when)).collect();
-            if !tables.is_empty() {
-                self.record.print(at, &tables)?;
-            }
-            if due(&step.output.frames) {
-                let balance = self.record.frame(at, (number, increment))?;
-                self.certificate.explicit = Some(balance);
+            let turn = Turn { step: number, increment, times: [before, self.state.step_time], period: explicit.period };
+            let at = moment((model, self.scene), self.state, &procedure, &fixed);
+            let Left { balance, has_frame } = self.record.increment(at, &turn, &step.output)?;
+            let Some(balance) = balance else { continue };
+            self.certificate.explicit = Some(balance);
+            if has_frame {
                 let frame = Frame { step: number, increment, step_time: self.state.step_time, dt, balance };
                 observer.event(Event::Frame(&frame));
-                if balance.drift() >= DRIFT || balance.drift().is_nan() {
-                    let reason =
-                        format!("the energy balance is off by {:.1} % of the largest energy", 100.0 * balance.drift());
-                    let help =
-                        "the increment is too large (SCALE FACTOR, DIRECT USER CONTROL), or the motion has no end";
-                    return Err(self.failure(number, reason, help));
-                }
+            }
+            if balance.drift() >= DRIFT || balance.drift().is_nan() {
+                let reason =
+                    format!("the energy balance is off by {:.1} % of the largest energy", 100.0 * balance.drift());
+                let help = "the increment is too large (SCALE FACTOR, DIRECT USER CONTROL), or the motion has no end";
+                return Err(self.failure(number, reason, help));
             }
         }
         contact::unsettled(self.scene).iter().for_each(|note| observer.event(Event::Note(note)));
@@ -204,6 +207,15 @@ impl Run<'_> {
     fn failure(&self, step: usize, reason: String, help: &str) -> JobFailure {
         failure((step, self.state.step_time), reason, help)
     }
+}
+
+fn moment<'a>(
+    (model, scene): (&'a Model, &'a Scene),
+    state: &'a State,
+    procedure: &'a CentralDifference,
+    fixed: &'a [bool],
+) -> Moment<'a> {
+    Moment { model, scene, state, procedure, fixed }
 }
 
 fn failure((step, time): (usize, f64), reason: String, help: &str) -> JobFailure {

@@ -3,7 +3,7 @@
 use super::{contact, explicit, general};
 use crate::course::Course;
 use crate::job::JobFailure;
-use fe_contact::explicit::{ContactPair, GeneralContact, PairSides, PointState, RigidFollower};
+use fe_contact::explicit::{ContactPair, GeneralContact, PairSides, RigidFollower};
 use fe_core::Freedoms;
 use fe_core::element::{ElementType, Family};
 use fe_core::explicit::ExplicitTerm;
@@ -38,8 +38,8 @@ pub struct Scene {
     pub pairs: Vec<(ActivePair, PairSides)>,
     /// The general contact that acts in it, with what it was made of.
     pub general: Option<(Step, GeneralContact)>,
-    /// Work that contact took which acts no more [F L].
-    left: f64,
+    /// Energies [F L] that contact took which acts no more: all of it, and by friction.
+    left: [f64; 2],
     /// Rigid bodies with the nodes that follow them.
     pub followers: Vec<RigidFollower>,
 }
@@ -60,8 +60,8 @@ impl Scene {
         let damping = MassDamping::new(&damping);
         let followers = contact::followers(&structure, &model.rigid_bodies);
         let loads = Loads::new(ExternalForces::default(), 1.0);
-        let pairs = Vec::new();
-        Ok(Scene { structure, freedoms, solids, lines, damping, loads, pairs, general: None, left: 0.0, followers })
+        let (pairs, left) = (Vec::new(), [0.0; 2]);
+        Ok(Scene { structure, freedoms, solids, lines, damping, loads, pairs, general: None, left, followers })
     }
 
     /// Enters a step whose loads are in `course`.
@@ -84,11 +84,15 @@ impl Scene {
             };
             self.pairs.push((*active, sides));
         }
-        self.left += before.iter().map(|(_, sides)| sides.stored()).sum::<f64>();
+        for pair in before.iter().flat_map(|(_, sides)| &sides.pairs) {
+            self.leave([pair.stored(), pair.rubbed()]);
+        }
         let same =
             |was: &Step| was.general_contact == step.general_contact && was.explicit_pairs == step.explicit_pairs;
         if !self.general.as_ref().is_some_and(|(was, _)| same(was)) {
-            self.left += self.general.take().map_or(0.0, |(_, general)| general.stored());
+            if let Some((_, general)) = self.general.take() {
+                self.leave([general.stored(), general.rubbed()]);
+            }
             self.general = general::general(self, model, step).map(|general| (step.clone(), general));
         }
         Ok(())
@@ -97,12 +101,6 @@ impl Scene {
     /// General contact, where it acts.
     pub fn general(&self) -> Option<&GeneralContact> {
         self.general.as_ref().map(|(_, general)| general)
-    }
-
-    /// States of the nodes of all contact.
-    pub fn contact_states(&self) -> impl Iterator<Item = PointState> {
-        let pairs = self.contacts().flat_map(|pair| pair.states());
-        pairs.chain(self.general().into_iter().flat_map(|general| general.states()))
     }
 
     /// All pairs that act.
@@ -115,10 +113,17 @@ impl Scene {
         self.followers.iter().map(|follower| follower.nodes.len()).sum()
     }
 
-    /// Energy [F L] that contact has taken from the motion so far: stored, or turned into heat.
-    pub fn contact_energy(&self) -> f64 {
-        let pairs: f64 = self.contacts().map(|pair| pair.stored()).sum();
-        self.left + pairs + self.general().map_or(0.0, |general| general.stored())
+    /// Keeps the energies of contact that acts no more.
+    fn leave(&mut self, energies: [f64; 2]) {
+        (0..2).for_each(|k| self.left[k] += energies[k]);
+    }
+
+    /// Energies [F L] that contact has taken from the motion so far: besides friction, and by it.
+    pub fn contact_energies(&self) -> [f64; 2] {
+        let of_pairs = self.contacts().map(|pair| [pair.stored(), pair.rubbed()]);
+        let of_general = self.general().map(|general| [general.stored(), general.rubbed()]);
+        let [all, rubbed] = of_pairs.chain(of_general).fold(self.left, |[a, r], [all, rubbed]| [a + all, r + rubbed]);
+        [all - rubbed, rubbed]
     }
 
     /// All terms: elements, loads, then contact.

@@ -1,9 +1,12 @@
 //! What is told of general contact.
 
 use super::GeneralContact;
-use super::touch::{Look, Touch};
-use crate::explicit::pair::PointState;
-use crate::point::ContactStatus;
+use super::touch::Look;
+use crate::explicit::state::{NodeForce, Side, Tally};
+use crate::facet::Vec3;
+use crate::point::{ContactStatus, Measure};
+use crate::state::{ContactState, NodeValues, PointState, at_nodes};
+use crate::summary::MeasureKind;
 use std::mem::size_of_val;
 
 /// How much general contact there is.
@@ -77,35 +80,50 @@ impl GeneralContact {
         self.rubbed
     }
 
-    /// State of all nodes that touch faces, once for each surface that they touch, and of those near some; edges that cross have
-    /// none of their own.
-    pub fn states(&self) -> impl Iterator<Item = PointState> + '_ {
-        let carriers = &self.ground.carriers;
-        let touching = move |touch: &Touch| {
-            let p = touch.point;
-            PointState {
-                node: carriers.nodes[touch.first as usize],
-                opening: p.gap.is_finite().then_some(p.gap),
-                pressure: p.pressure,
-                shear: p.shear,
-                slip: p.slip,
-                status: p.status,
-                measure: p.measure,
+    /// The state at the end of the last increment. Points are those of nodes near faces, once for each surface that a node
+    /// touches; edges that cross have forces alone. What parts from the rest as nodes move along a normal is the secondary side.
+    pub fn state(&self) -> ContactState {
+        let mut tally = Tally::default();
+        let (carriers, surface) = (&self.ground.carriers, &self.ground.surface);
+        let scene = self.ground.scene(0.0, Look::Again);
+        for run in &self.nodes {
+            for touch in run.touches.iter().filter(|touch| touch.point.gap.is_finite()) {
+                let p = touch.point;
+                let (node, measure) = (carriers.nodes[touch.first as usize], Measure::Area(p.measure));
+                let (pressure, shear, slip, status) = (p.pressure, p.shear, p.slip, p.status);
+                let state = PointState { node, opening: p.gap, pressure, shear, slip, status, measure };
+                tally.point(state, &carriers.x[touch.first as usize], &touch.normal);
             }
-        };
-        self.nodes.iter().flat_map(move |run| {
-            let scene = self.ground.scene(0.0, Look::Again);
-            let open = |(node, gap)| PointState {
-                node: carriers.nodes[node as usize],
-                opening: Some(gap),
-                pressure: 0.0,
-                shear: [0.0; 2],
-                slip: run.slip(node),
-                status: ContactStatus::Open,
-                measure: self.ground.surface.nodes[node as usize].area,
-            };
-            let gaps: Vec<PointState> = run.gaps(&scene).map(open).collect();
-            run.touches.iter().map(touching).chain(gaps).collect::<Vec<_>>()
-        })
+            for (node, gap) in run.gaps(&scene) {
+                let state = PointState {
+                    node: carriers.nodes[node as usize],
+                    opening: gap,
+                    pressure: 0.0,
+                    shear: [0.0; 2],
+                    slip: run.slip(node),
+                    status: ContactStatus::Open,
+                    measure: Measure::Area(surface.nodes[node as usize].area),
+                };
+                tally.point(state, &carriers.x[node as usize], &Vec3::zeros());
+            }
+        }
+        for touch in self.touches().filter(|touch| touch.is_closed()) {
+            let pressed = touch.normal * touch.normal.dot(&touch.point.force);
+            for &(node, d) in touch.row.iter().filter(|entry| entry.1 != 0.0) {
+                let side = if d > 0.0 { Side::Secondary } else { Side::Main };
+                let (place, shear) = (carriers.x[node as usize], (touch.point.force - pressed) * d);
+                let (node, normal) = (carriers.nodes[node as usize], pressed * d);
+                tally.force(side, &NodeForce { node, place, normal, shear, ..NodeForce::default() });
+            }
+        }
+        tally.finish(self.ground.table.behaviours.iter().any(|behaviour| behaviour.friction.is_some()))
+    }
+
+    /// Results at all nodes that may touch, ascending.
+    pub fn node_values(&self, state: &ContactState) -> Vec<NodeValues> {
+        let (carriers, surface) = (&self.ground.carriers, &self.ground.surface);
+        let values = at_nodes(carriers.nodes.iter().copied(), MeasureKind::Pressure, &state.points);
+        let area = |node: u32| surface.nodes[carriers.index(node)].area;
+        values.into_values().map(|value| NodeValues { measure: area(value.node), ..value }).collect()
     }
 }

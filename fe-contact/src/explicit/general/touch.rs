@@ -22,6 +22,8 @@ pub(super) struct Touch {
     pub second: u32,
     /// How far the places part as nodes move along the normal.
     pub row: [(u32, f64); 5],
+    /// Unit normal, out of the second.
+    pub normal: Vec3,
     pub point: Point,
     /// Stiffness [F/L] and viscosity [F T/L].
     pub rates: [f64; 2],
@@ -115,6 +117,7 @@ impl Scene<'_> {
             first: ends[0],
             second: ends[1],
             row,
+            normal,
             point: answered,
             rates: answer.rates,
             work: -0.5 * (was.force + answer.point.force).dot(&moved),

@@ -55,7 +55,10 @@ impl Sheets {
             let area = part / self.nodes(secondary).len() as f64;
             let definition = Definition {
                 name: format!("{secondary} on {}", 1 - secondary),
-                secondary: Secondary { nodes: self.nodes(secondary).iter().map(|&n| (n, area)).collect() },
+                secondary: Secondary {
+                    nodes: self.nodes(secondary).iter().map(|&n| (n, area)).collect(),
+                    kind: MeasureKind::Pressure,
+                },
                 main: MainSurface::Faces(self.faces[1 - secondary].clone()),
                 behaviour: behaviour.clone(),
                 enforcement: Enforcement::Kinematic(part),
@@ -99,7 +102,7 @@ impl Moved {
 
     /// The deepest overclosure [L].
     fn deepest(&self) -> f64 {
-        let gaps = self.sides.pairs.iter().flat_map(|side| side.states()).filter_map(|point| point.opening);
+        let gaps = self.sides.pairs.iter().flat_map(|side| side.state().points).map(|point| point.opening);
         -gaps.fold(0.0, f64::min)
     }
 }
@@ -116,8 +119,8 @@ fn b12_plastic_impact_of_like_meshes() {
         for _ in 0..50 {
             scene.advance(dt);
             for (side, impulse) in impulse.iter_mut().enumerate() {
-                let states = scene.sides.pairs[side].states();
-                *impulse += states.map(|p| p.pressure * p.measure * dt).sum::<f64>();
+                let states = scene.sides.pairs[side].state().points.into_iter();
+                *impulse += states.map(|p| p.pressure * p.measure.value() * dt).sum::<f64>();
             }
         }
         for node in 0..18 {
@@ -151,7 +154,7 @@ fn balanced_contact_keeps_momentum() {
             assert!((scene.momentum() - momentum).norm() < 1e-13 * momentum.norm());
             assert!(((scene.energy() + scene.sides.stored()) / before - 1.0).abs() < 1e-12);
             most = most.max(scene.energy() / before);
-            let states = scene.sides.pairs.iter().flat_map(|side| side.states());
+            let states = scene.sides.pairs.iter().flat_map(|side| side.state().points);
             closed += states.filter(|point| point.status != ContactStatus::Open).count();
             if is_hard {
                 // Each pass leaves a half of an overclosure where the other side alone has answered; it comes on with its

@@ -34,7 +34,7 @@ fn no_separation_pulls() {
                 assert!((scene.state.u[z] - exact).abs() < bound, "{} {exact} {time}", scene.state.u[z]);
             }
         }
-        assert_eq!(scene.pair.states().next().unwrap().status, ContactStatus::Closed);
+        assert_eq!(scene.pair.state().points[0].status, ContactStatus::Closed);
     }
 }
 

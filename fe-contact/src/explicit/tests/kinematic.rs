@@ -78,7 +78,7 @@ fn b12_loss_of_a_bar() {
             // Rounding of lengths of 1, over the strain.
             assert!((sum / before - 1.0).abs() < 1e-8, "{n} {sum} {before}");
         }
-        assert_eq!(scene.pair.states().next().unwrap().status, ContactStatus::Open);
+        assert_eq!(scene.pair.state().points[0].status, ContactStatus::Open);
         // The bar is linear to the strain, 1e-7.
         let (left, expected) = (energy(&scene) / before, 1.0 - 0.5 / f64::from(n));
         assert!((left - expected).abs() < 1e-6, "{n} {left} {expected}");
@@ -216,8 +216,8 @@ fn free_bodies_keep_their_momentum() {
     let mut closed = 0;
     for _ in 0..200 {
         scene.advance(1e-4);
-        let gaps: Vec<f64> = scene.pair.states().filter_map(|p| p.opening).collect();
-        closed += scene.pair.states().filter(|p| p.status == ContactStatus::Closed).count();
+        let gaps: Vec<f64> = scene.pair.state().points.iter().map(|p| p.opening).collect();
+        closed += scene.pair.state().points.iter().filter(|p| p.status == ContactStatus::Closed).count();
         assert!(gaps.iter().all(|gap| *gap > -1e-12), "{gaps:?}");
     }
     assert!(closed > 2);
@@ -270,7 +270,7 @@ fn no_separation_holds() {
         // Backward Euler stills the swing by √(1 + (ωΔt)²) an increment, (1 + 0.02)^−2000.
         assert!((scene.state.u[z] + 0.05 - rest).abs() < 1e-12, "{}", scene.state.u[z]);
         assert!((scene.state.force[reference] - pull).abs() < 1e-10);
-        let state = scene.pair.states().next().unwrap();
+        let state = scene.pair.state().points[0];
         assert!((state.pressure + pull).abs() < 1e-10 && state.status == ContactStatus::Closed);
     }
 }
