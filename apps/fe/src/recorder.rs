@@ -13,7 +13,7 @@ use fe_core::procedure::Converged;
 use fe_core::structure::Structure;
 use fe_io::Model;
 use fe_io::model::{Frames, Step};
-use fe_io::results::fields::{FIELDS, requested};
+use fe_io::results::fields::{FIELDS, is_usual, requested};
 use fe_io::results::history::CERTIFICATE;
 use fe_io::results::{self, FieldInfo, Grid, GridBlock, HistoryInfo, HistoryRow, JobInfo, ResultsError, ResultsFile};
 use std::path::{Path, PathBuf};
@@ -208,7 +208,7 @@ fn sections_of_cells(structure: &Structure) -> Vec<u32> {
 pub fn chosen_fields(model: &Model, terms: &Terms) -> Vec<FieldInfo> {
     let wanted = |field: &FieldInfo| {
         model.steps.iter().any(|step| match &step.output.fields {
-            None => true,
+            None => is_usual(field),
             Some(words) => words.iter().any(|word| requested(word).contains(&field)),
         })
     };

@@ -130,7 +130,7 @@ fn pressure_times_area_is_the_force() {
         &blocks(
             &pair(", MECHANICAL CONSTRAINT=PENALTY, WEIGHT=0."),
             "",
-            "*CONTACT PRINT, FREQUENCY=5\nCSTRESS, CDISP, CF\n",
+            "*CONTACT PRINT, FREQUENCY=5\nCSTRESS, CDISP, CF\n*OUTPUT, FIELD\n*CONTACT OUTPUT\nCSTRESS, CNAREA\n",
         )
         .replace("UPPER, 1, 0.05\n", ""),
     );

@@ -91,6 +91,11 @@ pub const FIELDS: &[FieldInfo] = &[
     at_cells(with(MOMENTS, field("SM", "SM", "F L", "bending moments about axes 1 and 2, and torque, of beams, mean"))),
 ];
 
+/// True for fields that are stored where a deck chooses none: all but those that hardly change.
+pub fn is_usual(field: &FieldInfo) -> bool {
+    field.name != "CNAREA"
+}
+
 /// The fields a word of an output card stands for: the request or one array's own name, in any case; none when
 /// the word is unknown.
 pub fn requested(word: &str) -> Vec<&'static FieldInfo> {

@@ -10,7 +10,7 @@ use crate::recorder::{results_file, tables_path};
 use fe_contact::summary::MeasureKind;
 use fe_io::Model;
 use fe_io::model::{Frames, History, Output};
-use fe_io::results::fields::{FIELDS, requested};
+use fe_io::results::fields::{FIELDS, is_usual, requested};
 use fe_io::results::table::Tables;
 use fe_io::results::{self, FieldInfo, HistoryRow, Location, ResultsError, ResultsFile};
 use std::path::{Path, PathBuf};
@@ -149,7 +149,7 @@ fn fields(model: &Model, scene: &Scene) -> Vec<FieldInfo> {
     };
     let wanted = |field: &&FieldInfo| {
         model.steps.iter().any(|step| match &step.output.fields {
-            None => true,
+            None => is_usual(field),
             Some(words) => words.iter().any(|word| requested(word).contains(field)),
         })
     };
