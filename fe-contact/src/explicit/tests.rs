@@ -23,6 +23,7 @@ use std::sync::Arc;
 
 mod balanced;
 mod bonded;
+mod general;
 mod kinematic;
 mod rigid;
 

@@ -142,7 +142,10 @@ fn touch(scene: &Scene, ends: [u32; 2], was: Option<&Touch>, crossing: Crossing)
     let [s, t] = crossing.at.map(|at| at.clamp(0.0, 1.0));
     let nodes = [one.nodes[0], one.nodes[1], other.nodes[0], other.nodes[1]];
     let row = [(nodes[0], 1.0 - s), (nodes[1], s), (nodes[2], t - 1.0), (nodes[3], -t), (nodes[0], 0.0)];
-    let area = nodes.iter().map(|&n| scene.surface.nodes[n as usize].area).fold(f64::INFINITY, f64::min);
+    let facing = |node: u32, normal: Vec3| scene.surface.facing(node, &normal, &scene.carriers.x);
+    let n = crossing.normal;
+    let area = [facing(nodes[0], n), facing(nodes[1], n), facing(nodes[2], -n), facing(nodes[3], -n)];
+    let area = area.into_iter().fold(f64::INFINITY, f64::min);
     let [own, opposite] = [0..2, 2..4].map(|ends| scene.penalty_at(row[ends].iter().map(|&(n, d)| (n, d.abs()))));
     let penalty = scene.table.scales[usize::from(acting.scale)] * own.min(opposite);
     let place = Place { gap: crossing.gap, normal: crossing.normal, row, measure: area, penalty };

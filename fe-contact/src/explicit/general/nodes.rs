@@ -138,11 +138,12 @@ impl Nodes {
             let corner = |i: usize| (face.corners[i], -foot.weights[i]);
             let opposite = scene.penalty_at((0..4).map(share));
             let scale = part * scene.table.scales[usize::from(acting.scale)];
+            let normal = foot.normal * candidate.side;
             let place = Place {
                 gap,
-                normal: foot.normal * candidate.side,
+                normal,
                 row: [(node, 1.0), corner(0), corner(1), corner(2), corner(3)],
-                measure: part * scene.surface.nodes[node as usize].area,
+                measure: part * scene.surface.facing(node, &normal, &scene.carriers.x),
                 penalty: scale * scene.penalty(&[node]).min(opposite),
             };
             let mut touch = scene.touch([node, candidate.face], was.copied(), place, acting);

@@ -68,6 +68,7 @@ impl GeneralContact {
         let ground = &self.ground;
         let lists = size_of_val(&ground.surface.faces[..])
             + size_of_val(&ground.surface.nodes[..])
+            + ground.surface.nodes.iter().map(|node| size_of_val(&node.faces[..])).sum::<usize>()
             + size_of_val(&ground.surface.edges[..])
             + size_of_val(&ground.penalties[..]);
         let runs = self.nodes.iter().map(|run| run.bytes()).sum::<usize>()
@@ -102,7 +103,7 @@ impl GeneralContact {
                     shear: [0.0; 2],
                     slip: run.slip(node),
                     status: ContactStatus::Open,
-                    measure: Measure::Area(surface.nodes[node as usize].area),
+                    measure: Measure::Area(surface.area(node, &carriers.x)),
                 };
                 tally.point(state, &carriers.x[node as usize], &Vec3::zeros());
             }
@@ -123,7 +124,7 @@ impl GeneralContact {
     pub fn node_values(&self, state: &ContactState) -> Vec<NodeValues> {
         let (carriers, surface) = (&self.ground.carriers, &self.ground.surface);
         let values = at_nodes(carriers.nodes.iter().copied(), MeasureKind::Pressure, &state.points);
-        let area = |node: u32| surface.nodes[carriers.index(node)].area;
+        let area = |node: u32| surface.area(carriers.index(node) as u32, &carriers.x);
         values.into_values().map(|value| NodeValues { measure: area(value.node), ..value }).collect()
     }
 }

@@ -51,8 +51,8 @@ pub(super) struct NodeData {
     pub classes: u16,
     pub component: u32,
     pub body: Option<u32>,
-    /// An equal share of the area [L²] of each of its faces at the start.
-    pub area: f64,
+    /// Its faces.
+    pub faces: Vec<u32>,
     /// It is the end of a feature edge.
     pub is_feature: bool,
     /// Its faces are sheets.
@@ -99,11 +99,10 @@ impl Surface {
         });
         let mut nodes: Vec<NodeData> = nodes.collect();
         let mut classes: Vec<Vec<u16>> = vec![Vec::new(); nodes.len()];
-        for face in &faces {
-            let area = area(face, &carriers.x) / f64::from(face.count);
+        for (number, face) in faces.iter().enumerate() {
             for &corner in face.corners() {
                 let node = &mut nodes[corner as usize];
-                node.area += area;
+                node.faces.push(number as u32);
                 node.is_sheet |= face.sides == Sides::Both;
                 classes[corner as usize].push(face.class);
             }
@@ -117,6 +116,25 @@ impl Surface {
         }
         let size = faces.iter().map(|face| face.size).sum::<f64>() / faces.len().max(1) as f64;
         Surface { faces, nodes, edges, class_sets: sets.list, size }
+    }
+
+    /// An equal share of the area [L²] of each of a node's faces.
+    pub fn area(&self, node: u32, x: &[Vec3]) -> f64 {
+        let share = |face: &FaceData| 0.5 * twice(face, x).norm() / f64::from(face.count);
+        self.nodes[node as usize].faces.iter().map(|&face| share(&self.faces[face as usize])).sum()
+    }
+
+    /// The area [L²] with which a node faces what has this unit normal: equal shares of its faces, as that sees them; a thousandth
+    /// of their own area at least.
+    pub fn facing(&self, node: u32, normal: &Vec3, x: &[Vec3]) -> f64 {
+        let mut facing = 0.0;
+        for &number in &self.nodes[node as usize].faces {
+            let face = &self.faces[number as usize];
+            let share = twice(face, x) * (0.5 / f64::from(face.count));
+            let seen = -share.dot(normal);
+            facing += if face.sides == Sides::Both { seen.abs() } else { seen.max(0.0) };
+        }
+        facing.max(1e-3 * self.area(node, x))
     }
 
     /// The unit normals of all faces.
@@ -151,10 +169,6 @@ fn twice(face: &FaceData, x: &[Vec3]) -> Vec3 {
 /// Unit normal of a face, out of the body.
 pub(super) fn normal(face: &FaceData, x: &[Vec3]) -> Vec3 {
     twice(face, x).try_normalize(0.0).unwrap_or_else(Vec3::zeros)
-}
-
-fn area(face: &FaceData, x: &[Vec3]) -> f64 {
-    0.5 * twice(face, x).norm()
 }
 
 /// The number of each node's component: the least node that it is connected with.
