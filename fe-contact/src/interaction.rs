@@ -3,6 +3,7 @@
 use crate::friction::Friction;
 use crate::law::NormalLaw;
 use crate::law::nonlinear_penalty::NonlinearPenalty;
+use crate::law::scale_factor::Scaling;
 use crate::viscous::{Damping, ExplicitDamping};
 use std::sync::Arc;
 
@@ -95,6 +96,8 @@ pub struct Interaction {
     pub name: String,
     /// Normal behaviour.
     pub normal: NormalBehavior,
+    /// The law by scale factors over the penalty of hard contact, of general contact in explicit steps; `normal` is hard then.
+    pub scale_factor: Option<Scaling>,
     /// `NO SEPARATION`: a point that closed stays closed, and may pull.
     pub no_separation: bool,
     /// `*FRICTION`; `None`: the surfaces slide freely.

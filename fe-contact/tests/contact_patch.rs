@@ -93,6 +93,7 @@ fn deviation(patch: &Patch, enforcement: Enforcement) -> f64 {
         friction: None,
         damping: None,
         explicit_damping: None,
+        scale_factor: None,
         stabilized_along: false,
         measure: None,
     };

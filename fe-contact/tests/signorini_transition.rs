@@ -88,6 +88,7 @@ fn solve(element: ElementType, n: usize, discretization: Discretization, direct:
         friction: None,
         damping: None,
         explicit_damping: None,
+        scale_factor: None,
         stabilized_along: false,
         measure: None,
     };

@@ -157,6 +157,7 @@ pub fn linear() -> Interaction {
         friction: None,
         damping: None,
         explicit_damping: None,
+        scale_factor: None,
         stabilized_along: false,
         measure: None,
     }

@@ -193,11 +193,6 @@ fn choice(star: &str, name: &str, words: &[Choice], there: &[&str], value: &Valu
         return;
     }
     match words.iter().find(|choice| same(choice.word, &word)) {
-        Some(Choice { standing: Standing::NotYet(_), word: "SCALE FACTOR" }) if star == "SURFACE BEHAVIOR" => {
-            let fault = Diagnostic::error(value.span, "`SCALE FACTOR` is for general contact in Explicit only");
-            diagnostics
-                .push(fault.help("for a static step take one of the other laws, say `PRESSURE-OVERCLOSURE=LINEAR`"));
-        }
         Some(Choice { standing: Standing::NotYet(instead), word }) => {
             let fault = Diagnostic::error(value.span, format!("`{name}={word}` of `*{star}` is not there yet"));
             diagnostics.push(fault.help(*instead));

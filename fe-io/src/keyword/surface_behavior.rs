@@ -9,7 +9,7 @@ pub const SURFACE_BEHAVIOR: Keyword = Keyword {
             "PRESSURE-OVERCLOSURE",
             Kind::Law(&[
                 Choice::there("FORMULA"),
-                Choice::not_yet("SCALE FACTOR", "LINEAR is there"),
+                Choice::there("SCALE FACTOR"),
                 Choice::not_yet("TIED", "give both sides common nodes"),
                 Choice::not_yet("HERTZ", "it is for discrete elements"),
                 Choice::not_yet("JKR", "it is for discrete elements"),
@@ -34,8 +34,7 @@ pub const SURFACE_BEHAVIOR: Keyword = Keyword {
         DataLine::optional(NONLINEAR_PENALTY).when("PENALTY=NONLINEAR"),
         DataLine::many(&[]).when("a law: its numbers"),
         DataLine::many(FORMULA).when("FORMULA: definitions in any order, each by others if need be"),
-        DataLine::once(SCALE_FACTOR)
-            .when("SCALE FACTOR: for general contact in Explicit, checked and refused elsewhere"),
+        DataLine::once(SCALE_FACTOR).when("SCALE FACTOR: for general contact in Explicit, refused elsewhere"),
     ]),
     source: "Abaqus Keywords Reference, *SURFACE BEHAVIOR",
 };

@@ -70,6 +70,7 @@ impl ExplicitPairs {
     ) {
         let before = diagnostics.faults();
         only_for(entry, &["TYPE", "ADJUST", "TIED"], Analysis::Static, diagnostics);
+        without_scale_factors(entry, interactions, diagnostics);
         let later = entry.name("INTERACTION").filter(|name| interactions.find_in(name, self.steps - 1).is_none());
         if let (Some(_), Some(name), Some(value)) =
             (interactions.of_parameter(entry, diagnostics), later, entry.value("INTERACTION"))
@@ -265,6 +266,17 @@ impl Common {
         if let Some(why) = why {
             diagnostics.push(Diagnostic::note(value.span, "`WEIGHT` has no effect here").label(why));
         }
+    }
+}
+
+/// The law by scale factors is for general contact.
+fn without_scale_factors(entry: &Entry<'_>, interactions: &Interactions, diagnostics: &mut Diagnostics) {
+    let Some(value) = entry.value("INTERACTION") else { return };
+    let name = normalized(&value.text);
+    if interactions.find(&name).is_some_and(|found| interactions.list[found].scale_factor.is_some()) {
+        let title = format!("the law of interaction `{name}`, `SCALE FACTOR`, is for general contact");
+        let fault = Diagnostic::error(value.span, title);
+        diagnostics.push(fault.help("say `*CONTACT`, or take another law, say `PRESSURE-OVERCLOSURE=LINEAR`"));
     }
 }
 

@@ -92,7 +92,7 @@ impl Interactions {
                 }
                 _ => {
                     let behavior = behavior(entry, given, diagnostics);
-                    jump(entry, behavior.as_ref(), diagnostics);
+                    jump(entry, behavior.as_ref().map(|(normal, _)| normal), diagnostics);
                     of.into_iter().for_each(|i| all.describe(i, entry, behavior.clone()));
                 }
             }
@@ -122,6 +122,7 @@ impl Interactions {
         self.list.push(Interaction {
             name,
             normal,
+            scale_factor: None,
             no_separation: false,
             friction,
             damping,
@@ -142,10 +143,10 @@ impl Interactions {
         }
     }
 
-    fn describe(&mut self, i: usize, entry: &Entry<'_>, behavior: Option<NormalBehavior>) {
-        if let Some(behavior) = behavior {
+    fn describe(&mut self, i: usize, entry: &Entry<'_>, behavior: Option<(NormalBehavior, Option<Scaling>)>) {
+        if let Some((behavior, scaling)) = behavior {
             self.list[i].no_separation = entry.has("NO SEPARATION");
-            self.list[i].normal = behavior;
+            (self.list[i].normal, self.list[i].scale_factor) = (behavior, scaling);
         }
     }
 
@@ -201,8 +202,12 @@ fn parent<'a>(entry: &Entry<'_>, deck: &'a Deck) -> Option<&'a Card> {
     None
 }
 
-/// What the card says; `None` when it is refused, which was told.
-fn behavior(entry: &Entry<'_>, given: Given<'_>, diagnostics: &mut Diagnostics) -> Option<NormalBehavior> {
+/// What the card says, with the numbers of a law by scale factors; `None` when it is refused, which was told.
+fn behavior(
+    entry: &Entry<'_>,
+    given: Given<'_>,
+    diagnostics: &mut Diagnostics,
+) -> Option<(NormalBehavior, Option<Scaling>)> {
     let Given { deck, laws, size, analysis } = given;
     let before = diagnostics.faults();
     let overclosure = entry.name("PRESSURE-OVERCLOSURE").filter(|word| word != "HARD");
@@ -211,15 +216,14 @@ fn behavior(entry: &Entry<'_>, given: Given<'_>, diagnostics: &mut Diagnostics) 
     let behavior = match (&overclosure, law) {
         (Some(word), None) if keyword::same(word, "FORMULA") => formula::read(entry, deck, size, diagnostics),
         (Some(word), None) => {
-            if keyword::same(word, "SCALE FACTOR") {
-                scale_factor(entry, deck, diagnostics);
-            }
-            return None;
+            let scaling =
+                if keyword::same(word, "SCALE FACTOR") { scale_factor(entry, given, diagnostics) } else { None };
+            return scaling.map(|scaling| (NormalBehavior::Hard(Enforcement::Usual), Some(scaling)));
         }
         (Some(_), Some(law)) => softened(entry, given, law, diagnostics),
         (None, _) => hard::read(entry, deck, diagnostics),
     };
-    behavior.filter(|_| diagnostics.faults() == before)
+    behavior.filter(|_| diagnostics.faults() == before).map(|behavior| (behavior, None))
 }
 
 /// Words that cannot stand beside each other.
@@ -350,22 +354,32 @@ fn numbers(row: &Row<'_>, law: &LawDefinition, analysis: Analysis, diagnostics: 
     row.sound.then(|| law.data.iter().enumerate().map(number).collect())?
 }
 
-/// The data line of a law that was refused by its name: what else is wrong with it is told in the same run.
-fn scale_factor(entry: &Entry<'_>, deck: &Deck, diagnostics: &mut Diagnostics) {
+/// The law by scale factors; in static steps it is refused by its name, with what else is wrong with it.
+fn scale_factor(
+    entry: &Entry<'_>,
+    Given { deck, analysis, .. }: Given<'_>,
+    diagnostics: &mut Diagnostics,
+) -> Option<Scaling> {
+    let before = diagnostics.faults();
+    if let (Some(value), Analysis::Static) = (entry.value("PRESSURE-OVERCLOSURE"), analysis) {
+        let fault = Diagnostic::error(value.span, "`SCALE FACTOR` is for general contact in Explicit only");
+        diagnostics.push(fault.help("for a static step take one of the other laws, say `PRESSURE-OVERCLOSURE=LINEAR`"));
+    }
     let mut lines = deck.lines(entry.card);
     let Some(line) = lines.next() else {
         diagnostics.push(Diagnostic::error(entry.card.span, "law `SCALE FACTOR` needs a data line"));
-        return;
+        return None;
     };
     let row = Row::read(line, surface_behavior::SCALE_FACTOR, diagnostics);
     too_many(lines.next(), diagnostics);
     if !row.sound {
-        return;
+        return None;
     }
     let scale = row.number(2).unwrap_or_default();
-    if let Err(fault) = Scaling::new(row.number(0), row.number(1), scale, row.number(3).unwrap_or(1.0)) {
-        diagnostics.push(Diagnostic::error(row.span, format!("law `SCALE FACTOR`: {fault}")));
-    }
+    let scaling = Scaling::new(row.number(0), row.number(1), scale, row.number(3).unwrap_or(1.0));
+    let told = |fault: String| diagnostics.push(Diagnostic::error(row.span, format!("law `SCALE FACTOR`: {fault}")));
+    let scaling = scaling.map_err(told).ok();
+    scaling.filter(|_| diagnostics.faults() == before)
 }
 
 /// Tells a second data line.

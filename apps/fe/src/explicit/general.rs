@@ -2,7 +2,7 @@
 
 use super::contact::behaviour;
 use super::scene::Scene;
-use fe_contact::explicit::{Acting, GeneralContact, GeneralDefinition, GeneralFace, Sides};
+use fe_contact::explicit::{Acting, Behaviour, GeneralContact, GeneralDefinition, GeneralFace, Normal, Sides};
 use fe_contact::facet::{Facet, Vec3};
 use fe_contact::pair::{self, Region};
 use fe_contact::surface::{Main, Secondary};
@@ -34,15 +34,34 @@ pub fn general(scene: &Scene, model: &Model, step: &Step) -> Option<GeneralConta
     if faces.is_empty() {
         return None;
     }
-    let assigned = contact.interactions.iter().map(|(_, interaction)| Some(&model.interactions[*interaction]));
+    let smallest = smallest(structure, &faces);
+    let assigned = contact.interactions.iter().map(|(_, interaction)| {
+        let interaction = &model.interactions[*interaction];
+        let usual = behaviour(Some(interaction));
+        match interaction.scale_factor {
+            Some(scaling) => Behaviour { normal: Normal::ScaleFactor { scaling, smallest }, ..usual },
+            None => usual,
+        }
+    });
     let definition = GeneralDefinition {
         name: NAME.into(),
         faces,
         table,
-        behaviours: [None].into_iter().chain(assigned).map(behaviour).collect(),
+        behaviours: [behaviour(None)].into_iter().chain(assigned).collect(),
         scales: [1.0].into_iter().chain(contact.scale_penalty.iter().map(|(_, factor)| *factor)).collect(),
     };
     Some(GeneralContact::new(structure, &scene.freedoms, &definition, &scene.followers))
+}
+
+/// The shortest edge [L] of the faces of solids.
+fn smallest(structure: &Structure, faces: &[GeneralFace]) -> f64 {
+    let points = &structure.mesh.points;
+    let edges = |face: &GeneralFace| {
+        let count = face.nodes.len();
+        let at = |i: usize| Vec3::from(points[face.nodes[i % count] as usize]);
+        (0..count).map(|i| (at(i + 1) - at(i)).norm()).fold(f64::INFINITY, f64::min)
+    };
+    faces.iter().filter(|face| face.sides == Sides::Outer).map(edges).fold(f64::INFINITY, f64::min)
 }
 
 fn is_rigid(structure: &Structure, face: &Face) -> bool {

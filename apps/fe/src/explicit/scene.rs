@@ -4,6 +4,7 @@ use super::{contact, explicit, general};
 use crate::course::Course;
 use crate::job::JobFailure;
 use fe_contact::explicit::{ContactPair, GeneralContact, PairSides, RigidFollower};
+use fe_contact::pair;
 use fe_core::Freedoms;
 use fe_core::element::{ElementType, Family};
 use fe_core::explicit::ExplicitTerm;
@@ -19,6 +20,9 @@ use fe_core::structure::{LineSection, Structure};
 use fe_io::Model;
 use fe_io::model::{ActivePair, Step};
 use std::sync::Arc;
+
+/// What general contact is made of: what the deck says of it, and the pairs that act beside it.
+type General = (pair::GeneralContact, Vec<ActivePair>);
 
 /// What goes through all explicit steps of a job.
 pub struct Scene {
@@ -37,7 +41,7 @@ pub struct Scene {
     /// The pairs that act in it, one after the other, with what they were made of.
     pub pairs: Vec<(ActivePair, PairSides)>,
     /// The general contact that acts in it, with what it was made of.
-    pub general: Option<(Step, GeneralContact)>,
+    pub general: Option<(General, GeneralContact)>,
     /// Energies [F L] that contact took which acts no more: all of it, and by friction.
     left: [f64; 2],
     /// Rigid bodies with the nodes that follow them.
@@ -87,13 +91,14 @@ impl Scene {
         for pair in before.iter().flat_map(|(_, sides)| &sides.pairs) {
             self.leave([pair.stored(), pair.rubbed()]);
         }
-        let same =
-            |was: &Step| was.general_contact == step.general_contact && was.explicit_pairs == step.explicit_pairs;
-        if !self.general.as_ref().is_some_and(|(was, _)| same(was)) {
+        // Pairs are left to themselves: general contact changes with them.
+        let now = step.general_contact.clone().map(|contact| (contact, step.explicit_pairs.clone()));
+        if self.general.as_ref().map(|(was, _)| was) != now.as_ref() {
             if let Some((_, general)) = self.general.take() {
                 self.leave([general.stored(), general.rubbed()]);
             }
-            self.general = general::general(self, model, step).map(|general| (step.clone(), general));
+            let general = general::general(self, model, step);
+            self.general = now.zip(general);
         }
         Ok(())
     }
