@@ -67,7 +67,7 @@ fn modulus(element: &str, (young, nu): (f64, f64)) -> f64 {
     }
 }
 
-const ELEMENTS: [&str; 4] = ["C3D8R", "CPE4R", "CPS4R", "CAX4R"];
+const ELEMENTS: [&str; 7] = ["C3D8R", "CPE4R", "CPS4R", "CAX4R", "C3D8", "CPE4", "CAX4"];
 
 #[test]
 fn elastic_elements_swing() {

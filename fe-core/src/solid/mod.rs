@@ -8,7 +8,7 @@
 mod check;
 mod kernel;
 mod recovery;
-mod tables;
+pub(crate) mod tables;
 mod term;
 
 #[cfg(test)]

@@ -28,7 +28,8 @@ pub(super) fn rule(element: ElementType) -> Rule {
 }
 
 /// Shape functions of `N` nodes at `P` integration points.
-pub(super) struct Tables<const N: usize, const P: usize> {
+#[derive(Debug)]
+pub(crate) struct Tables<const N: usize, const P: usize> {
     /// Points ξ.
     pub points: [[f64; 3]; P],
     /// Weights on the reference cell.

@@ -1,6 +1,7 @@
 //! A chunk of elements with copies of their nodes.
 
 use super::batch::{Common, Outcome, Place, Run};
+use super::integrated::Integrated;
 use super::one_point::OnePoint;
 use super::plane::{Plane, Ring};
 use super::shape::{Hexahedron, Tetrahedron};
@@ -20,7 +21,7 @@ pub(super) trait Elements: Debug + Send + Sync {
     /// Moves them on.
     fn advance(&mut self, run: Run) -> Outcome;
 
-    /// Stress and plastic strain of an element.
+    /// Stress and plastic strain of an element, means over its points.
     fn point(&self, element: usize) -> ([f64; 6], f64);
 }
 
@@ -36,6 +37,9 @@ fn elements(element: ElementType, nodes: &[Vec<u32>]) -> Option<Box<dyn Elements
         CPS3 => Box::new(OnePoint::<Plane<true>, 3, 0>::new(nodes)),
         CAX4R => Box::new(OnePoint::<Ring, 4, 1>::new(nodes)),
         CAX3 => Box::new(OnePoint::<Ring, 3, 0>::new(nodes)),
+        C3D8 => Box::new(Integrated::<8, 8>::new(element, nodes)),
+        C3D10 => Box::new(Integrated::<10, 4>::new(element, nodes)),
+        CPE4 | CAX4 => Box::new(Integrated::<4, 4>::new(element, nodes)),
         _ => return None,
     })
 }

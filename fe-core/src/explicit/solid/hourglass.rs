@@ -45,12 +45,14 @@ pub(super) fn resistance<S: Shape<N, H>, const N: usize, const H: usize>(
 }
 
 /// The forces against one hourglass shape h: with γ = h − X·g, X = Σ h x, they act by γ, so that constant gradients meet none.
-/// `kept` are the forces of springs, which turn with the element.
+/// `kept` are the forces of springs, which turn with the element. They stand for the part of the stress that varies within the
+/// element: where the material flows they are `relaxed` by the factor that the deviator is, else they would hold a flowing
+/// element up with the stiffness of an elastic one.
 #[inline(always)]
 pub(super) fn resist<const N: usize, const FUSED: bool>(
     shape: &[f64; N],
     (x, du): (&[Vector; N], &[Vector; N]),
-    (geometry, rotation): (&Geometry<N>, &Matrix),
+    (geometry, rotation, relaxed): (&Geometry<N>, &Matrix, Lanes),
     (stiffness, damping): (Lanes, Lanes),
     kept: &mut [Lanes],
     (t, out): (&mut Matrix, &mut Batch<N>),
@@ -67,7 +69,7 @@ pub(super) fn resist<const N: usize, const FUSED: bool>(
         let (l, r) = (&geometry.gradient[i], &rotation[i]);
         let q = turned[i] - (l[0] * place[0] + l[1] * place[1] + l[2] * place[2]);
         let before = r[0] * last[0] + r[1] * last[1] + r[2] * last[2];
-        let now = before.plus_product::<FUSED>(stiffness, q);
+        let now = before.plus_product::<FUSED>(stiffness, q) * relaxed;
         kept[i] = now;
         let force = now.plus_product::<FUSED>(damping, q);
         out.energies[2] += ((before + now) * 0.5).plus_product::<FUSED>(damping, q) * q;

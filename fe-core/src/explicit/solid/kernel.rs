@@ -157,7 +157,7 @@ pub(super) fn batch<S: Shape<N, H>, const N: usize, const H: usize, const FUSED:
         let sizes = (volume * geometry.trace, mass * square.sqrt());
         let resistance = resistance::<S, N, H>(common, dt, k, sizes);
         let kept = &mut state[HOURGLASS + 3 * k..HOURGLASS + 3 + 3 * k];
-        let turned = (&geometry, &motion.rotation);
+        let turned = (&geometry, &motion.rotation, done.kept);
         resist::<N, FUSED>(&S::HOURGLASS[k], (x, du), turned, resistance, kept, (&mut t, &mut out));
     }
     for n in 0..N {

@@ -1,4 +1,4 @@
-//! Solids in an explicit step: elements with one integration point and large displacements.
+//! Solids in an explicit step: large displacements, elements with one integration point or several.
 //!
 //! Elements of one section are sorted along a space-filling curve and cut into chunks, each with its own copy of its nodes:
 //! a chunk is one piece of work with everything in cache, threads never write to the same place, and as forces are summed
@@ -10,6 +10,8 @@ mod chunk;
 mod curve;
 #[allow(clippy::needless_range_loop)]
 mod hourglass;
+#[allow(clippy::needless_range_loop)]
+mod integrated;
 #[allow(clippy::needless_range_loop)]
 mod kernel;
 #[allow(clippy::needless_range_loop)]

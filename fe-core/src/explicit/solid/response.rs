@@ -32,6 +32,8 @@ pub(super) struct Done {
     pub work: Lanes,
     /// Of that, into plastic flow.
     pub dissipated: Lanes,
+    /// Of the trial deviator, what the return to the yield surface has left [-].
+    pub kept: Lanes,
     /// What λ and μ do not exceed [F/L²] as far as stability goes.
     pub moduli: [Lanes; 2],
 }
@@ -68,16 +70,17 @@ impl Answer {
     pub fn advance<const FUSED: bool>(&self, by: &Motion, backward: &Matrix, point: &mut Point) -> Done {
         let before = point.stress;
         let mut moduli = [self.lambda, self.mu].map(Lanes::splat);
-        let mut dissipated = Lanes::ZERO;
+        let (mut dissipated, mut kept) = (Lanes::ZERO, Lanes::splat(1.0));
         match &self.response {
             Response::NeoHooke(material) => (point.stress, moduli) = neo_hooke::stress(material, backward),
             Response::Elastic(_) => point.stress = self.trial::<FUSED>(&before, by),
             Response::Plastic { hardening, .. } => {
                 point.stress = self.trial::<FUSED>(&before, by);
-                dissipated = self.flow::<FUSED>(hardening, point).dissipated;
+                let flowed = self.flow::<FUSED>(hardening, point);
+                (dissipated, kept) = (flowed.dissipated, flowed.kept);
             }
         }
-        Done { work: work::<FUSED>(&before, point, by), dissipated, moduli }
+        Done { work: work::<FUSED>(&before, point, by), dissipated, kept, moduli }
     }
 
     /// Moves a point of a plane without stress across it on, whose stretch λ_z across is kept in `stretch`: finds the strain
@@ -91,7 +94,7 @@ impl Answer {
     ) -> Done {
         let before = point.stress;
         let mut moduli = [self.plane_lambda(), self.mu].map(Lanes::splat);
-        let mut dissipated = Lanes::ZERO;
+        let (mut dissipated, mut kept) = (Lanes::ZERO, Lanes::splat(1.0));
         if let Response::NeoHooke(material) = &self.response {
             let last = *stretch;
             *stretch = neo_hooke::stretch_across(material, backward, last);
@@ -108,7 +111,7 @@ impl Answer {
                 // Newton for σ_zz = 0. Its slope lies between K and λ + 2μ.
                 for iteration in 1..=MOST {
                     let flowed = self.flow::<FUSED>(hardening, point);
-                    dissipated = flowed.dissipated;
+                    (dissipated, kept) = (flowed.dissipated, flowed.kept);
                     let bulk = self.lambda + 2.0 / 3.0 * self.mu;
                     let slope = (flowed.kept * (2.0 / 3.0) - flowed.along * flowed.across) * (2.0 * self.mu);
                     let step = point.stress[2] / (slope + Lanes::splat(bulk));
@@ -123,7 +126,7 @@ impl Answer {
             let half = by.strain[2] * 0.5;
             *stretch = *stretch * (Lanes::splat(1.0) + half) / (Lanes::splat(1.0) - half);
         }
-        Done { work: work::<FUSED>(&before, point, by), dissipated, moduli }
+        Done { work: work::<FUSED>(&before, point, by), dissipated, kept, moduli }
     }
 
     /// Stress after an elastic strain.

@@ -120,6 +120,29 @@ fn b06_stable_increment_of_a_free_cube_and_square() {
         let stable = setup.block(1, |x| x.map(|v| 2.0 * v)).stable() * speed / 2.0;
         assert!((stable - exact).abs() < 1e-11, "{}: {stable}", element.name());
     }
+    // Of elements with several points a bound, within a twentieth.
+    for (element, exact) in [(C3D8, 0.733799385705), (CPE4, 0.836660026534)] {
+        let stable = Setup::elastic(element).block(1, |x| x.map(|v| 2.0 * v)).stable() * speed / 2.0;
+        assert!(stable < exact && stable > 0.93 * exact, "{}: {stable}", element.name());
+    }
+}
+
+/// Motions that keep the volume of an element as a whole meet no bulk modulus.
+#[test]
+fn volumetric_locking() {
+    for element in [C3D8, CPE4] {
+        let energies = [0.3, 0.49999].map(|poisson| {
+            let elastic = Elastic { young: 2.0 * STEEL.mu() * (1.0 + poisson), poisson };
+            let mut scene = Setup { response: Response::Elastic(elastic), ..Setup::elastic(element) }.block(1, |x| x);
+            scene.go(1.0, |x| {
+                let product = (2.0 * x.x - 1.0) * (2.0 * x.y - 1.0);
+                x + Vector3::new(product, product, 0.0) * 1e-6
+            });
+            scene.solids.energies().internal
+        });
+        // Only the square of the motion, 1e-12, changes the volume: K/μ = 5e4 times its square.
+        assert!((energies[1] / energies[0] - 1.0).abs() < 1e-6, "{}: {energies:?}", element.name());
+    }
 }
 
 /// Tension beyond yield with two straight pieces of hardening and unloading between: uniaxial strain, whose deviator is all

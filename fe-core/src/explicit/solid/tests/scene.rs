@@ -80,7 +80,22 @@ pub fn block(element: ElementType, n: usize, map: impl Fn([f64; 3]) -> [f64; 3])
         Quad4 => Block::quad4([n; 2]),
         _ => Block::tri3([n; 2]),
     };
-    block.mapped(map)
+    let mut mesh = block.mapped(map);
+    if element.kind() == Tet10 {
+        straighten(&mut mesh);
+    }
+    mesh
+}
+
+/// Puts the nodes on edges into their middle.
+fn straighten(mesh: &mut Mesh) {
+    let cells: Vec<Vec<u32>> = mesh.cells().map(|cell| mesh.cell(cell).to_vec()).collect();
+    for nodes in cells {
+        for (i, [a, b]) in [[0, 1], [1, 2], [2, 0], [0, 3], [1, 3], [2, 3]].into_iter().enumerate() {
+            let [a, b] = [a, b].map(|end: usize| Vector3::from(mesh.points[nodes[end] as usize]));
+            mesh.points[nodes[4 + i] as usize] = ((a + b) * 0.5).into();
+        }
+    }
 }
 
 impl Scene {

@@ -7,7 +7,7 @@ use super::*;
 #[ignore = "measures speed"]
 #[allow(clippy::print_stdout)]
 fn updates_per_second() {
-    for (element, n) in [(C3D8R, 40), (C3D4, 40), (CPE4R, 250), (CAX4R, 250)] {
+    for (element, n) in [(C3D8R, 40), (C3D4, 40), (CPE4R, 250), (CAX4R, 250), (C3D8, 40), (C3D10, 15)] {
         let mut scene = Setup::elastic(element).block(n, |x| x);
         let elements = scene.solids.count();
         let freedoms = scene.freedoms.len();
