@@ -8,8 +8,9 @@ use common::job::Job;
 
 const RADIUS: f64 = 3.2;
 const LENGTH: f64 = 32.4;
-/// Elements along the radius and the length: those of the sources. The largest plastic strain, of the element at the axis, grows
-/// with finer meshes: 3.1, 3.5, 4.0 with 5, 10, 16 along the radius; the length changes by 0.4 %, the radius of the foot by 2 %.
+/// Elements along the radius and the length. The largest plastic strain, that of the element at the axis, grows without a limit in
+/// sight with finer meshes (3.1, 3.5, 4.0 of rings with 5, 10, 16 along the radius), so the published one is that of meshes about
+/// as coarse as this; the length changes by 0.4 %, the radius of the foot by 2 %.
 const MESH: [usize; 2] = [5, 50];
 
 const MATERIAL: &str = "*MATERIAL, NAME=COPPER\n*ELASTIC\n117e3, 0.35\n*PLASTIC\n400., 0.\n1400., 10.\n*DENSITY\n8.93e-9\n\
@@ -100,7 +101,11 @@ fn taylor(name: &str, deck: &str, axis: usize) {
     let nodes = || (0..points.len() / 3).filter(|node| points[3 * node + axis] >= 0.0);
     let length = nodes().map(|node| at(node, axis)).fold(0.0, f64::max);
     let out = |node: usize| (0..axis).map(|c| at(node, c).powi(2)).sum::<f64>().sqrt();
-    let foot = nodes().filter(|node| points[3 * node + axis] == 0.0).map(out).fold(0.0, f64::max);
+    // Mean of the rim: a square of elements has a flat corner on it, which flows 4 % further than the rest.
+    let at_start = |node: usize| (0..axis).map(|c| points[3 * node + c].powi(2)).sum::<f64>().sqrt();
+    let is_rim = |node: &usize| points[3 * node + axis] == 0.0 && at_start(*node) > RADIUS - 1e-9;
+    let rim: Vec<f64> = nodes().filter(is_rim).map(out).collect();
+    let foot = rim.iter().sum::<f64>() / rim.len() as f64;
     let strain = results.real("VTKHDF/CellData/PEEQ").into_iter().fold(0.0, f64::max);
     let told = format!("length {length}, foot {foot}, plastic strain {strain}");
     assert!(length > 0.97 * 21.4 && length < 1.03 * 21.5, "{told}");
@@ -111,7 +116,7 @@ fn taylor(name: &str, deck: &str, axis: usize) {
     for row in energies.chunks_exact(columns) {
         assert!(row[columns - 2].abs() < 0.01 * energies[3], "{row:?}");
     }
-    // Of 4e5 at the impact.
+    // Of 3e4 while the foot grows.
     let force = job.last("forces", "WALL", axis + 1);
     assert!(force.abs() < 1.0, "{force}");
 }
