@@ -6,6 +6,7 @@ pub mod cards;
 pub mod compare;
 pub mod exact;
 pub mod fit;
+pub mod general;
 pub mod growth;
 pub mod hard;
 pub mod machine;

@@ -1,7 +1,7 @@
 //! The program: measures problems with known answers.
 
 use benchmarks::study::Options;
-use benchmarks::{card, compare, growth, hard, measure, problems, reading, study};
+use benchmarks::{card, compare, general, growth, hard, measure, problems, reading, study};
 use clap::{Parser, Subcommand};
 use std::error::Error;
 use std::ffi::OsString;
@@ -72,6 +72,12 @@ enum Command {
     Growth {
         #[command(flatten)]
         settings: Settings,
+    },
+    /// How general contact grows with its facets, and its share of an increment.
+    General {
+        /// Threads.
+        #[arg(long, default_value_t = 1)]
+        threads: usize,
     },
     /// Run a deck and print its seconds by phase.
     #[command(hide = true, name = growth::PHASES)]
@@ -152,6 +158,7 @@ fn execute(command: Command) -> Result<ExitCode, Box<dyn Error>> {
             reading::study(&reading::Options { edge, runs, work, results }, out)?;
         }
         Command::Growth { settings } => growth::study(&settings.options(), out)?,
+        Command::General { threads } => general::study(threads, out)?,
         Command::Phases { deck, threads } => growth::phases(&deck, threads, out)?,
         Command::Fe { arguments } => {
             return Ok(fe::main_with(fe::standard(), std::iter::once("fe".into()).chain(arguments)));

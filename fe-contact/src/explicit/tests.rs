@@ -22,6 +22,7 @@ use fe_mesh::{CellBlock, CellId};
 use std::sync::Arc;
 
 mod balanced;
+mod bodies;
 mod bonded;
 mod general;
 mod kinematic;

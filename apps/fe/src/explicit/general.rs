@@ -2,24 +2,46 @@
 
 use super::contact::behaviour;
 use super::scene::Scene;
-use fe_contact::explicit::{Acting, Behaviour, GeneralContact, GeneralDefinition, GeneralFace, Normal, Sides};
+use fe_contact::explicit::{
+    Acting, Adjusted, Behaviour, GeneralContact, GeneralDefinition, GeneralFace, Normal, RigidFollower, Sides, adjust,
+};
 use fe_contact::facet::{Facet, Vec3};
 use fe_contact::pair::{self, Region};
 use fe_contact::surface::{Main, Secondary};
+use fe_core::Freedoms;
 use fe_core::element::Family;
 use fe_core::structure::Structure;
 use fe_io::Model;
 use fe_io::model::Step;
 use fe_mesh::{Face, Mesh, exterior};
 use std::collections::{BTreeMap, BTreeSet, HashMap};
+use std::sync::Arc;
 
 /// What it is called.
 pub const NAME: &str = "general contact";
 
 /// The general contact of a step; `None` where it has none, or nothing may touch.
 pub fn general(scene: &Scene, model: &Model, step: &Step) -> Option<GeneralContact> {
+    let definition = definition(&scene.structure, model, step)?;
+    Some(GeneralContact::new(&scene.structure, &scene.freedoms, &definition, &scene.followers))
+}
+
+/// Moves nodes out of the overclosures that general contact of the first step begins with.
+pub fn adjusted(
+    structure: &mut Arc<Structure>,
+    freedoms: &Freedoms,
+    model: &Model,
+    followers: &[RigidFollower],
+) -> Option<Adjusted> {
+    let definition = definition(structure, model, model.steps.first()?)?;
+    let mut moved = Structure::clone(structure);
+    let adjusted = adjust(&mut moved, freedoms, &definition, followers)?;
+    *structure = Arc::new(moved);
+    Some(adjusted)
+}
+
+fn definition(structure: &Structure, model: &Model, step: &Step) -> Option<GeneralDefinition> {
     let contact = step.general_contact.as_ref()?;
-    let structure = &scene.structure;
     let faces = Faces::new(structure, contact, &pairs(model, step));
     let classes = faces.classes.len();
     let table: Vec<Vec<Option<Acting>>> =
@@ -43,14 +65,13 @@ pub fn general(scene: &Scene, model: &Model, step: &Step) -> Option<GeneralConta
             None => usual,
         }
     });
-    let definition = GeneralDefinition {
+    Some(GeneralDefinition {
         name: NAME.into(),
         faces,
         table,
         behaviours: [behaviour(None)].into_iter().chain(assigned).collect(),
         scales: [1.0].into_iter().chain(contact.scale_penalty.iter().map(|(_, factor)| *factor)).collect(),
-    };
-    Some(GeneralContact::new(structure, &scene.freedoms, &definition, &scene.followers))
+    })
 }
 
 /// The shortest edge [L] of the faces of solids.

@@ -4,7 +4,7 @@ use super::explicit;
 use super::scene::Scene;
 use crate::number::scientific;
 use crate::plan::Plan;
-use fe_contact::explicit::GeneralContact;
+use fe_contact::explicit::{Adjusted, GeneralContact};
 use fe_core::element::Family;
 use fe_core::explicit::Advance;
 use fe_core::step::{Explicit, IncrementChoice};
@@ -53,6 +53,7 @@ pub fn plan(scene: &Scene, step: &Step, prescribed: usize, advance: &Advance) ->
     }
     if let Some(general) = scene.general() {
         needs.push(("general contact".into(), general_in_words(general)));
+        needs.extend(scene.adjusted.map(|adjusted| ("overclosures".to_owned(), adjusted_in_words(&adjusted))));
     }
     let without = (0..scene.freedoms.nodes()).filter(|&n| scene.freedoms.of_node(n).is_empty()).count();
     let idle_nodes = without.saturating_sub(scene.following());
@@ -67,6 +68,16 @@ pub fn plan(scene: &Scene, step: &Step, prescribed: usize, advance: &Advance) ->
         });
     }
     Plan { unknowns, prescribed, idle_nodes, needs, leaves_out }
+}
+
+fn adjusted_in_words(adjusted: &Adjusted) -> String {
+    let [farthest, before, after] =
+        [adjusted.farthest, adjusted.deepest[0], adjusted.deepest[1]].map(|l| scientific(l, 6));
+    format!(
+        "{} nodes moved by up to {farthest} without strain before the first step, out of overclosures of up to {before}; {after} \
+         is left",
+        adjusted.nodes
+    )
 }
 
 fn general_in_words(general: &GeneralContact) -> String {

@@ -3,7 +3,7 @@
 use super::{contact, explicit, general};
 use crate::course::Course;
 use crate::job::JobFailure;
-use fe_contact::explicit::{ContactPair, GeneralContact, PairSides, RigidFollower};
+use fe_contact::explicit::{Adjusted, ContactPair, GeneralContact, PairSides, RigidFollower};
 use fe_contact::pair;
 use fe_core::Freedoms;
 use fe_core::element::{ElementType, Family};
@@ -42,6 +42,8 @@ pub struct Scene {
     pub pairs: Vec<(ActivePair, PairSides)>,
     /// The general contact that acts in it, with what it was made of.
     pub general: Option<(General, GeneralContact)>,
+    /// What general contact of the first step has moved out of overclosures.
+    pub adjusted: Option<Adjusted>,
     /// Energies [F L] that contact took which acts no more: all of it, and by friction.
     left: [f64; 2],
     /// Rigid bodies with the nodes that follow them.
@@ -52,8 +54,10 @@ impl Scene {
     /// At rest before the first step.
     pub fn new(model: &Model, first: &Explicit) -> Result<Self, JobFailure> {
         model.steps.iter().try_for_each(|step| contact::refuse_the_rest(model, step))?;
-        let structure = Arc::clone(&model.structure);
+        let mut structure = Arc::clone(&model.structure);
         let freedoms = structure.freedoms(&model.references());
+        let followers = contact::followers(&structure, &model.rigid_bodies);
+        let adjusted = general::adjusted(&mut structure, &freedoms, model, &followers);
         let sections = sections(&structure, first)?;
         let solids = (!sections.is_empty()).then(|| Solids::new(&structure, &freedoms, &sections));
         let lines = Lines::new(&structure, &freedoms, first.bulk_viscosity[0]);
@@ -62,10 +66,10 @@ impl Scene {
         solids.iter().for_each(|solids| solids.add_mass_damping(&mut damping));
         lines.iter().for_each(|lines| lines.add_mass_damping(&mut damping));
         let damping = MassDamping::new(&damping);
-        let followers = contact::followers(&structure, &model.rigid_bodies);
         let loads = Loads::new(ExternalForces::default(), 1.0);
         let (pairs, left) = (Vec::new(), [0.0; 2]);
-        Ok(Scene { structure, freedoms, solids, lines, damping, loads, pairs, general: None, left, followers })
+        let general = None;
+        Ok(Scene { structure, freedoms, solids, lines, damping, loads, pairs, general, adjusted, left, followers })
     }
 
     /// Enters a step whose loads are in `course`.

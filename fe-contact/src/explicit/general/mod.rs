@@ -8,12 +8,14 @@ mod definition;
 mod edges;
 mod features;
 mod nodes;
+mod overclosure;
 mod report;
 mod surface;
 mod table;
 mod touch;
 
 pub use definition::{Acting, GeneralDefinition, GeneralFace, Sides};
+pub use overclosure::{Adjusted, adjust};
 pub use report::GeneralCount;
 
 use super::carriers::{Carriers, RigidFollower};

@@ -42,6 +42,11 @@ impl GeneralContact {
         all.collect::<Vec<_>>().join("; ")
     }
 
+    /// Searches so far.
+    pub fn searches(&self) -> usize {
+        self.searches
+    }
+
     /// How much there is at present.
     pub fn count(&self) -> GeneralCount {
         let ground = &self.ground;

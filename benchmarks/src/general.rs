@@ -1,0 +1,204 @@
+//! How general contact grows with its facets: a cloud of cubes that fly about and hit each other, twice as many from row to row.
+
+use crate::fit;
+use crate::machine::Origin;
+use fe_contact::explicit::{
+    Acting, Behaviour, GeneralContact, GeneralCount, GeneralDefinition, GeneralFace, Normal, Separation, Sides,
+};
+use fe_contact::facet::{Facet, Vec3};
+use fe_contact::viscous::ExplicitDamping;
+use fe_core::Freedoms;
+use fe_core::element::ElementType::C3D8R;
+use fe_core::explicit::central_difference::{CentralDifference, State};
+use fe_core::explicit::solid::{Hourglass, SolidSection, Solids};
+use fe_core::explicit::{Advance, ExplicitTerm, Halt, Moving};
+use fe_core::material::{Damping, Elastic, Response};
+use fe_core::structure::Structure;
+use fe_mesh::generate::Block;
+use fe_mesh::{CellId, Mesh, exterior};
+use std::error::Error;
+use std::io::Write;
+use std::time::Instant;
+
+/// Elements along an edge of a cube: 150 facets, 125 elements.
+const EDGE: usize = 5;
+/// Cubes of the first row, and how often they are doubled.
+const FIRST: usize = 7;
+const DOUBLED: usize = 6;
+/// Speed of the cubes over that of sound [-], in all directions.
+const SPEED: f64 = 0.02;
+
+const STEEL: Response = Response::Elastic(Elastic { young: 1.0, poisson: 0.3 });
+
+/// What is measured.
+#[derive(Clone, Copy, Debug)]
+struct Row {
+    facets: usize,
+    elements: usize,
+    /// Seconds an increment, of contact in it, and of searching in that.
+    seconds: [f64; 3],
+    count: GeneralCount,
+}
+
+/// A term whose seconds are counted.
+struct Timed<T> {
+    term: T,
+    seconds: f64,
+}
+
+impl<T: ExplicitTerm> ExplicitTerm for Timed<T> {
+    fn name(&self) -> &str {
+        self.term.name()
+    }
+
+    fn add_mass(&self, mass: &mut [f64]) {
+        self.term.add_mass(mass);
+    }
+
+    fn weigh(&mut self, mass: &[f64]) {
+        self.term.weigh(mass);
+    }
+
+    fn advance(&mut self, at: &Moving, forces: &mut [f64]) -> Result<Advance, Halt> {
+        let start = Instant::now();
+        let advance = self.term.advance(at, forces);
+        self.seconds += start.elapsed().as_secs_f64();
+        advance
+    }
+
+    fn stored(&self) -> f64 {
+        self.term.stored()
+    }
+}
+
+/// Prints seconds and shares of all rows, and the exponents of growth.
+pub fn study(threads: usize, out: &mut dyn Write) -> Result<(), Box<dyn Error>> {
+    let origin = Origin::here();
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build()?;
+    writeln!(out, "general contact: cubes of {EDGE} × {EDGE} × {EDGE} C3D8R that hit each other, 300 increments")?;
+    writeln!(out, "{}; commit {}; {threads} thread(s)\n", origin.machine, origin.commit)?;
+    let titles = ["facets", "elements", "closed", "searches", "ms/inc", "contact", "search", "ns/facet"];
+    titles.iter().try_for_each(|title| write!(out, "{title:>10}"))?;
+    writeln!(out)?;
+    let mut rows = Vec::new();
+    for doubled in 0..=DOUBLED {
+        let row = pool.install(|| measured(FIRST << doubled))?;
+        let [all, contact, search] = row.seconds;
+        writeln!(
+            out,
+            "{:>10}{:>10}{:>10}{:>10}{:>10.3}{:>8.1} %{:>8.1} %{:>10.1}",
+            row.facets,
+            row.elements,
+            row.count.closed,
+            row.count.searches,
+            1e3 * all,
+            100.0 * contact / all,
+            100.0 * search / all,
+            1e9 * contact / row.facets as f64
+        )?;
+        rows.push(row);
+    }
+    let exponent = |i: usize| fit::slope(&rows.iter().map(|r| (r.facets as f64, r.seconds[i])).collect::<Vec<_>>());
+    writeln!(
+        out,
+        "\nexponents over facets: increment {:.2}, contact {:.2}, search {:.2}",
+        exponent(0),
+        exponent(1),
+        exponent(2)
+    )?;
+    Ok(())
+}
+
+/// A fixed sequence of numbers in −1..1.
+fn numbers() -> impl FnMut() -> f64 {
+    let mut seed = 2024u64;
+    move || {
+        seed = seed.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
+        (seed >> 11) as f64 / (1u64 << 52) as f64 - 1.0
+    }
+}
+
+/// So many unit cubes on a lattice with gaps of a tenth, a little out of place.
+fn cloud(count: usize) -> Structure {
+    let side = (1..).find(|side: &usize| side.pow(3) >= count).unwrap_or(1);
+    let mut next = numbers();
+    let mut mesh = Mesh::default();
+    for body in 0..count {
+        let place = [body % side, body / side % side, body / side / side];
+        let origin = place.map(|i| 1.1 * i as f64 + 0.03 * next());
+        mesh.append(&Block::hex8([EDGE; 3]).origin(origin).mesh());
+    }
+    Structure { mesh, elements: vec![C3D8R], ..Structure::default() }
+}
+
+fn contact(structure: &Structure, freedoms: &Freedoms) -> GeneralContact {
+    let of = |face| {
+        let facet = Facet::new(structure, face, None, &Vec3::zeros());
+        GeneralFace { nodes: facet.nodes().to_vec(), sides: Sides::Outer, class: 0 }
+    };
+    let behaviour = Behaviour {
+        normal: Normal::Hard,
+        separation: Separation::Allowed,
+        friction: None,
+        shear_slope: None,
+        damping: Some(ExplicitDamping::default()),
+    };
+    let definition = GeneralDefinition {
+        name: "general contact".into(),
+        faces: exterior(&structure.mesh).into_iter().map(of).collect(),
+        table: vec![vec![Some(Acting { behaviour: 0, scale: 0 })]],
+        behaviours: vec![behaviour],
+        scales: vec![1.0],
+    };
+    GeneralContact::new(structure, freedoms, &definition, &[])
+}
+
+/// The mean of 300 increments after a hundred.
+fn measured(bodies: usize) -> Result<Row, Halt> {
+    let structure = cloud(bodies);
+    let freedoms = structure.freedoms(&[]);
+    let cells: Vec<CellId> = structure.mesh.cells().collect();
+    let section = SolidSection {
+        element: C3D8R,
+        cells: &cells,
+        response: &STEEL,
+        density: 1.0,
+        thickness: 1.0,
+        damping: Damping::default(),
+        hourglass: Hourglass::Enhanced(1.0),
+        viscosity: [0.06, 1.2],
+    };
+    let mut solids = Solids::new(&structure, &freedoms, &[section]);
+    let mut general = Timed { term: contact(&structure, &freedoms), seconds: 0.0 };
+    let mut state = State::rest(&freedoms);
+    let mut next = numbers();
+    let each = structure.mesh.points.len() / bodies;
+    for body in 0..bodies {
+        let velocity = [0; 3].map(|_| SPEED * next());
+        for node in body * each..(body + 1) * each {
+            freedoms.of_node(node).zip(velocity).for_each(|(freedom, v)| state.v[freedom] = v);
+        }
+    }
+    let mut procedure =
+        CentralDifference::new(&mut [&mut solids, &mut general], Vec::new(), (1e9, f64::INFINITY), &mut state)?;
+    let (mut all, mut within, mut searching, mut other) = (0.0, 0.0, [0.0; 2], [0.0; 2]);
+    for increment in 0..400 {
+        let dt = 0.9 * procedure.stable().increment();
+        let (before, searches) = (general.seconds, general.term.searches());
+        let start = Instant::now();
+        procedure.advance(&mut [&mut solids, &mut general], &mut state, dt)?;
+        if increment < 100 {
+            continue;
+        }
+        all += start.elapsed().as_secs_f64();
+        let seconds = general.seconds - before;
+        within += seconds;
+        let of = if general.term.searches() > searches { &mut searching } else { &mut other };
+        *of = [of[0] + seconds, of[1] + 1.0];
+    }
+    // What increments with a search take longer than the others.
+    let search = searching[0] - searching[1] * other[0] / other[1].max(1.0);
+    let count = general.term.count();
+    let seconds = [all, within, search].map(|sum| sum / 300.0);
+    Ok(Row { facets: count.faces, elements: cells.len(), seconds, count })
+}
