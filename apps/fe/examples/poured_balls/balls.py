@@ -115,7 +115,7 @@ def main():
         put(f"*DYNAMIC, EXPLICIT\n, {given.time}\n*BULK VISCOSITY\n0.06, 1.2")
         put("*CONTACT\n*CONTACT INCLUSIONS, ALL EXTERIOR\n*CONTACT PROPERTY ASSIGNMENT\n, , RUBBING")
         put("*DLOAD\nBALLS, GRAV, 9810., 0., 0., -1.")
-        put("*OUTPUT, FIELD, NUMBER INTERVAL=30\n*NODE OUTPUT\nU, V\n*ELEMENT OUTPUT\nMISES")
+        put("*OUTPUT, FIELD, NUMBER INTERVAL=30\n*NODE OUTPUT\nU\n*ELEMENT OUTPUT\nMISES")
         put("*END STEP")
     print(f"{count} balls of {len(cells)} tetrahedra: {count * len(cells)} elements, {count * len(points)} nodes")
 
