@@ -61,6 +61,8 @@ pub(super) struct Meeting {
     pub normal: Vec3,
     /// Way [L] of the secondary side against the main one in the increment.
     pub moved: Vec3,
+    /// How much less the gap [L] may be after the next increment; 0 where the sides part.
+    pub closing: f64,
     /// Mass [M] that the sides have against each other.
     pub mass: f64,
     /// Length of the increment [T].
@@ -125,7 +127,11 @@ impl Behaviour {
     pub(super) fn meet(&self, point: &Point, at: &Meeting) -> Answer {
         let mut next = Point { gap: at.gap, ..*point };
         let (law, slope) = self.press(point, at.gap);
+        // What closes in the next increment is to find one that is stable with it: a spring met at full speed in a longer one
+        // gives back more than it took.
+        let coming = if at.closing > 0.0 { self.press(point, at.gap - at.closing).1 } else { 0.0 };
         let stiffness = slope * point.measure;
+        let most = stiffness.max(coming * point.measure);
         next.bonded = self.separation == Separation::Never && (point.bonded || law > 0.0);
         let acts = law > 0.0 || next.bonded;
         let mut pressure = law;
@@ -142,7 +148,7 @@ impl Behaviour {
         next.status = if acts { ContactStatus::Closed } else { ContactStatus::Open };
         next.force = at.normal * (pressure * point.measure);
         (next.elastic, next.shear) = (Vec3::zeros(), [0.0; 2]);
-        let mut rates = [stiffness, damping];
+        let mut rates = [most, damping.max(self.viscosity(point.measure, at.mass, most))];
         let mut rubbed = 0.0;
         if let Some(friction) = &self.friction
             && acts

@@ -4,6 +4,12 @@ use crate::facet::Vec3;
 use fe_core::{Freedoms, Structure};
 use nalgebra::Rotation3;
 
+/// How many times the stiffness of contact counts in ω² [-]. A spring that is met or left inside an increment takes or gives
+/// up to (ωΔt)²/8 m v²; where nodes do so from increment to increment at the limit itself, 4, that grows without end. (Two bars
+/// of cubes that hit each other on springs 10 and 100 times as stiff as the cubes: 11 and 24 % of the energy within half of the
+/// contact at ω²Δt² = 4, 0.1 % after all of it at 2.)
+const SWITCHING: f64 = 2.0;
+
 /// A rigid body as its followers see it: a reference node with three translations and three rotations (in the plane two and
 /// one). Its rotation freedoms hold the rotation vector.
 #[derive(Clone, Debug, PartialEq)]
@@ -287,11 +293,12 @@ impl Carriers {
         self.stiffen(&[(node, 1.0)], values);
     }
 
-    /// Largest row sums over mass [1/T², 1/T].
+    /// Largest row sums over mass [1/T², 1/T], those of the stiffness [`SWITCHING`] times.
     pub fn rates(&self) -> [f64; 2] {
         let nodes = self.sums.iter().zip(&self.inverse_mass).map(|(sums, inverse)| sums.map(|sum| sum * inverse));
         let all = nodes.chain(self.bodies.iter().map(|body| body.rates));
-        all.fold([0.0; 2], |most, rates| [most[0].max(rates[0]), most[1].max(rates[1])])
+        let [stiffness, damping] = all.fold([0.0; 2], |most: [f64; 2], r| [most[0].max(r[0]), most[1].max(r[1])]);
+        [SWITCHING * stiffness, damping]
     }
 
     pub fn scatter(&mut self, forces: &mut [f64]) {

@@ -13,6 +13,8 @@ pub(super) struct Foot {
     pub gap: f64,
     /// Unit vector to the place from the point, back to front: the face's normal, past an edge that of the offset.
     pub normal: Vec3,
+    /// The face's unit normal.
+    pub face: Vec3,
     /// How squarely the face is seen [-]: 1 from right above.
     pub facing: f64,
     /// False past an edge.
@@ -44,7 +46,7 @@ impl Foot {
         let direction = if is_within { normal } else { offset * (sign / distance) };
         let facing = if distance > 0.0 { height.abs() / distance } else { 1.0 };
         let gap = sign * if is_within { height.abs() } else { distance };
-        Foot { weights, place, gap, normal: direction, facing, is_within }
+        Foot { weights, place, gap, normal: direction, face: normal, facing, is_within }
     }
 }
 

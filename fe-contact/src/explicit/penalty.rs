@@ -11,6 +11,9 @@ use fe_core::explicit::{Advance, Moving};
 /// increment shrinks by some percent.
 pub(super) const PENALTY: f64 = 0.1;
 
+/// Increments over which what comes is foreseen [-]: the next one, should it be twice as long or the sides twice as fast.
+pub(super) const AHEAD: f64 = 2.0;
+
 impl ContactPair {
     /// Adds the forces [F] at the end of an increment.
     pub(super) fn press(&mut self, at: &Moving, forces: &mut [f64]) -> Advance {
@@ -41,6 +44,7 @@ impl ContactPair {
                 gap: hit.gap,
                 normal: hit.normal,
                 moved: (v - main) * at.dt,
+                closing: (AHEAD * at.stable * (main - v).dot(&hit.normal)).max(0.0),
                 mass,
                 dt: at.dt,
                 space: self.space,
@@ -50,19 +54,21 @@ impl ContactPair {
             self.work -= 0.5 * (point.force + force).dot(&meeting.moved);
             self.rubbed += answer.rubbed;
             self.points[i] = answer.point;
+            if answer.rates != [0.0; 2] {
+                match &self.target {
+                    Target::Faces(_) => self.carriers.stiffen(&row, answer.rates),
+                    Target::Rigid(_) => self.carriers.stiffen_on_surface(point.index, answer.rates),
+                }
+            }
             if force == Vec3::zeros() {
                 continue;
             }
             self.carriers.force[index] += force;
             match &self.target {
                 Target::Faces(_) => {
-                    self.carriers.stiffen(&row, answer.rates);
                     hit.shares.iter().for_each(|&(node, w)| self.carriers.force[node as usize] -= force * w);
                 }
-                Target::Rigid(_) => {
-                    self.carriers.stiffen_on_surface(point.index, answer.rates);
-                    self.carriers.bodies[0].push(&-force, &x);
-                }
+                Target::Rigid(_) => self.carriers.bodies[0].push(&-force, &x),
             }
         }
         self.carriers.scatter(forces);

@@ -5,6 +5,7 @@ use super::foot::Foot;
 use crate::facet::Vec3;
 use crate::rigid::RigidSurface;
 use crate::search::{Bounds, Grid};
+use std::collections::HashMap;
 
 /// What secondary nodes meet.
 #[derive(Clone, Debug)]
@@ -48,6 +49,8 @@ pub(super) struct Faces {
     /// Corners in the carriers' lists; a triangle repeats its last, an edge has two.
     corners: Vec<[u32; 4]>,
     counts: Vec<u8>,
+    /// For each face the edges, a bit each, that no other face has; of an edge of a plane model its ends.
+    border: Vec<u8>,
     /// Mean size [L] of the faces.
     size: f64,
     places: Vec<Vec3>,
@@ -62,6 +65,24 @@ const MARGIN: f64 = 0.5;
 /// A node counts as inside down to this part of a face's size [-]: deeper, it belongs to another face.
 const DEEPEST: f64 = 0.5;
 
+/// How far beyond its border a surface goes on [-], of the faces' mean size: nodes at the border of both sides stay in contact as
+/// they give way along it (Abaqus Analysis User's Manual, Contact formulations, EXTENSION ZONE).
+const EXTENSION: f64 = 0.1;
+
+/// The edges that a single face has, of an edge of a plane model its ends.
+fn borders(corners: &[[u32; 4]], counts: &[u8]) -> Vec<u8> {
+    let part = |face: usize, k: usize| {
+        let (own, count) = (&corners[face], usize::from(counts[face]));
+        let ends = [own[k], if count > 2 { own[(k + 1) % count] } else { own[k] }];
+        (ends[0].min(ends[1]), ends[0].max(ends[1]))
+    };
+    let parts = |face: usize| (0..usize::from(counts[face])).map(move |k| (k, part(face, k)));
+    let mut uses: HashMap<(u32, u32), u32> = HashMap::new();
+    (0..corners.len()).flat_map(parts).for_each(|(_, part)| *uses.entry(part).or_default() += 1);
+    let single = |face: usize| parts(face).filter(|(_, part)| uses[part] == 1).map(|(k, _)| 1 << k).sum();
+    (0..corners.len()).map(single).collect()
+}
+
 impl Faces {
     pub fn new(faces: &[Vec<u32>], carriers: &Carriers) -> Self {
         let corners: Vec<[u32; 4]> = faces
@@ -74,7 +95,8 @@ impl Faces {
             (points[0] - points[2]).norm().max((points[1] - points[3]).norm())
         });
         let size = sizes.sum::<f64>() / corners.len().max(1) as f64;
-        Faces { corners, counts, size, places: Vec::new(), start: Vec::new(), faces: Vec::new() }
+        let border = borders(&corners, &counts);
+        Faces { corners, counts, border, size, places: Vec::new(), start: Vec::new(), faces: Vec::new() }
     }
 
     /// Searches anew where a node has moved far since the last search.
@@ -121,9 +143,31 @@ impl Faces {
     /// The nearest point of one face, and how squarely it faces x [-].
     fn on_face(&self, carriers: &Carriers, face: usize, x: &Vec3) -> (Hit, f64) {
         let corners = self.corners[face];
-        let foot = Foot::on_face(&corners.map(|i| carriers.x[i as usize]), self.counts[face], x);
+        let mut foot = Foot::on_face(&corners.map(|i| carriers.x[i as usize]), self.counts[face], x);
+        if foot.gap < 0.0 && !foot.is_within && self.is_on_border(face, &foot.weights) {
+            foot = self.beyond(foot, x);
+        }
         let shares = std::array::from_fn(|i| (corners[i], foot.weights[i]));
         (Hit { gap: foot.gap, normal: foot.normal, place: foot.place, shares }, foot.facing)
+    }
+
+    /// True where a point with such shares is on an edge that no other face has.
+    fn is_on_border(&self, face: usize, weights: &[f64; 4]) -> bool {
+        let count = usize::from(self.counts[face]);
+        let reaches = if count > 2 { 2 } else { 1 };
+        let is_on = |k: usize| (0..count).all(|i| weights[i] == 0.0 || (i + count - k) % count < reaches);
+        (0..count).any(|k| self.border[face] >> k & 1 == 1 && is_on(k))
+    }
+
+    /// What is behind a face and past the border of the surface: near it as deep as it is, farther off outside.
+    fn beyond(&self, foot: Foot, x: &Vec3) -> Foot {
+        let height = foot.gap * foot.facing;
+        let aside = (foot.gap * foot.gap - height * height).max(0.0).sqrt();
+        if aside < EXTENSION * self.size {
+            Foot { gap: height, normal: foot.face, ..foot }
+        } else {
+            Foot { gap: -foot.gap, normal: (x - foot.place).normalize(), ..foot }
+        }
     }
 }
 

@@ -6,6 +6,7 @@ use super::table::Table;
 use crate::explicit::behaviour::Meeting;
 use crate::explicit::carriers::Carriers;
 use crate::explicit::pair::{Point, open};
+use crate::explicit::penalty::AHEAD;
 use crate::facet::Vec3;
 use crate::point::ContactStatus;
 use crate::tangents::Space;
@@ -110,7 +111,8 @@ impl Scene<'_> {
         let was = before.map_or_else(Point::default, |touch| touch.point);
         let point = Point { index: row[0].0, measure, penalty, ..was };
         let mass = self.carriers.mass_of(&row);
-        let meeting = Meeting { gap, normal, moved, mass, dt: self.dt, space: Space::Solid };
+        let closing = (-AHEAD * moved.dot(&normal)).max(0.0);
+        let meeting = Meeting { gap, normal, moved, closing, mass, dt: self.dt, space: Space::Solid };
         let answer = self.table.behaviours[usize::from(acting.behaviour)].meet(&point, &meeting);
         let answered = if answer.point.status == ContactStatus::Open { open(&answer.point) } else { answer.point };
         Touch {
