@@ -24,6 +24,7 @@ use std::sync::Arc;
 mod balanced;
 mod bodies;
 mod bonded;
+mod border;
 mod general;
 mod kinematic;
 mod rigid;

@@ -3,8 +3,7 @@
 use super::scene::Scene;
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::Place;
-use fe_contact::pair::PairDefinition;
-use fe_contact::surface::Main;
+use fe_contact::surface::{Main, Secondary};
 use fe_contact::tube::TubeDefinition;
 use fe_mesh::check::coincident_points;
 use fe_mesh::{CellKind, Mesh};
@@ -17,7 +16,7 @@ const SAME_PLACE: f64 = 1e-10;
 /// tubes.
 pub fn tell(
     scene: &Scene<'_>,
-    pairs: &[(PairDefinition, Place)],
+    pairs: Vec<(&Secondary, &Main)>,
     tubes: &[(TubeDefinition, Place)],
     diagnostics: &mut Diagnostics,
 ) {
@@ -30,7 +29,7 @@ pub fn tell(
         let within = |a: u32, b: u32| inner.contains(&a) && outer.contains(&b);
         found.retain(|&(a, b)| !within(a, b) && !within(b, a));
     }
-    for (pair, _) in pairs {
+    for pair in pairs {
         if found.is_empty() {
             return;
         }
@@ -88,11 +87,11 @@ const SECONDARY: u8 = 1;
 const MAIN: u8 = 2;
 
 /// On which sides of a pair each node is, `[points]`.
-fn sides(mesh: &Mesh, pair: &PairDefinition) -> Vec<u8> {
+fn sides(mesh: &Mesh, (secondary, main): (&Secondary, &Main)) -> Vec<u8> {
     let mut sides = vec![0; mesh.points.len()];
-    if let Main::Faces(faces) = &pair.main {
+    if let Main::Faces(faces) = main {
         faces.iter().flat_map(|&face| mesh.face(face).1).for_each(|node| sides[node as usize] |= MAIN);
     }
-    pair.secondary.nodes(mesh).into_iter().for_each(|node| sides[node as usize] |= SECONDARY);
+    secondary.nodes(mesh).into_iter().for_each(|node| sides[node as usize] |= SECONDARY);
     sides
 }

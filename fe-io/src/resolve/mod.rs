@@ -138,7 +138,11 @@ pub fn resolve(deck: &Deck, library: &Library) -> Result<Model, Diagnostics> {
     in_force.conditions.frictions.begin_job(&mut interactions);
     if diagnostics.faults() == 0 {
         quality::twins(&scene, &mut diagnostics);
-        cracks::tell(&scene, &contact_pairs, &tubes.list, &mut diagnostics);
+        if steps.iter().all(|step| step.general_contact.is_none()) {
+            let explicit = in_force.explicit_pairs.list.iter().map(|(pair, _)| (&pair.secondary, &pair.main));
+            let pairs = contact_pairs.iter().map(|(pair, _)| (&pair.secondary, &pair.main)).chain(explicit).collect();
+            cracks::tell(&scene, pairs, &tubes.list, &mut diagnostics);
+        }
         quality::elements(&scene, &mut diagnostics);
         quality::members(&scene, &mut diagnostics);
     }
