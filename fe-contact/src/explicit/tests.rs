@@ -26,8 +26,10 @@ mod bodies;
 mod bonded;
 mod border;
 mod general;
+mod impacts;
 mod kinematic;
 mod rigid;
+mod sliding;
 
 /// Points with a mass each; further points without one.
 fn masses(points: &[([f64; 3], f64)]) -> Structure {

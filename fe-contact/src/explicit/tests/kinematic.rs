@@ -6,7 +6,7 @@ use fe_core::section::{LineSection, Profile};
 use std::f64::consts::PI;
 
 /// Bars of trusses of length 1 along z, E = ρ = A = 1, so c = 1; each given by its nodes; further points belong to none.
-fn bars(points: Vec<[f64; 3]>, bars: &[Vec<u32>]) -> Structure {
+pub fn bars(points: Vec<[f64; 3]>, bars: &[Vec<u32>]) -> Structure {
     let mut structure = Structure::default();
     structure.mesh.point_labels = (1..=points.len() as u64).collect();
     structure.mesh.points = points;
@@ -29,7 +29,7 @@ fn bars(points: Vec<[f64; 3]>, bars: &[Vec<u32>]) -> Structure {
 }
 
 /// Small against 1, so that bars are linear.
-const SPEED: f64 = 1e-7;
+pub const SPEED: f64 = 1e-7;
 
 /// A bar of n trusses about to touch the wall, and its reference node.
 fn bar_on_wall(n: u32) -> Scene {
