@@ -51,7 +51,8 @@ pub struct ContactPair {
     pub(super) target: Target,
     pub(super) points: Vec<Point>,
     pub(super) space: Space,
-    pub(super) has_penalty: bool,
+    /// The increment [T] that the springs of hard contact were made for; `None` before, and where masses have changed since.
+    pub(super) made_for: Option<f64>,
     pub(super) work: f64,
     pub(super) rubbed: f64,
     /// Forces [F] on prescribed freedoms, of kinematic contact in the last increment.
@@ -82,7 +83,7 @@ impl ContactPair {
             target,
             points,
             space,
-            has_penalty: false,
+            made_for: None,
             work: 0.0,
             rubbed: 0.0,
             reactions: BTreeMap::new(),
@@ -145,7 +146,11 @@ impl ExplicitTerm for ContactPair {
     }
 
     fn weigh(&mut self, mass: &[f64]) {
+        let before = self.carriers.inverse_mass.clone();
         self.carriers.weigh(mass);
+        if self.carriers.inverse_mass != before {
+            self.made_for = None;
+        }
     }
 
     fn correct(&mut self, at: &mut Predicted) {

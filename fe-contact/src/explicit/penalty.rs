@@ -14,11 +14,17 @@ pub(super) const PENALTY: f64 = 0.1;
 /// Increments over which what comes is foreseen [-]: the next one, should it be twice as long or the sides twice as fast.
 pub(super) const AHEAD: f64 = 2.0;
 
+/// Increments at the beginning of a step that differ by less than this part from those that springs were made for are like
+/// them [-].
+const LIKE: f64 = 0.1;
+
 impl ContactPair {
     /// Adds the forces [F] at the end of an increment.
     pub(super) fn press(&mut self, at: &Moving, forces: &mut [f64]) -> Advance {
         self.look(at.u, at.v);
-        if !self.has_penalty {
+        // Springs stay as they are as long as masses and increments do: a step that goes on with a pair goes on with its forces.
+        let changed = |made_for: f64| at.dt == 0.0 && (at.stable / made_for - 1.0).abs() > LIKE;
+        if self.made_for.is_none_or(changed) {
             self.stiffen(at.stable);
         }
         for i in 0..self.points.len() {
@@ -76,13 +82,16 @@ impl ContactPair {
         Advance { rate, damping, ..Advance::default() }
     }
 
-    /// Stiffness of hard contact, once the increment is known.
+    /// Stiffness of hard contact, once the increment is known; where the node has no mass, that of a mean node of the surfaces.
     fn stiffen(&mut self, increment: f64) {
         let Enforcement::Penalty(scale) = self.definition.enforcement else { return };
+        let all = || self.carriers.inverse_mass.iter().filter(|inverse| **inverse > 0.0);
+        let mean = all().sum::<f64>() / all().count().max(1) as f64;
         for point in &mut self.points {
-            let inverse = self.carriers.inverse_mass[point.index as usize] * increment * increment;
+            let own = self.carriers.inverse_mass[point.index as usize];
+            let inverse = if own > 0.0 { own } else { mean } * increment * increment;
             point.penalty = if inverse.is_finite() && inverse > 0.0 { scale * PENALTY / inverse } else { 0.0 };
         }
-        self.has_penalty = true;
+        self.made_for = Some(increment);
     }
 }

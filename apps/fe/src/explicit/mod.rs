@@ -257,7 +257,8 @@ fn increment_size(step: &Explicit, stable: f64, (last, left): (f64, f64)) -> f64
         }
     };
     let fixed = matches!(step.increment, IncrementChoice::Fixed(_));
-    if left <= dt * (1.0 + 1e-9) {
+    // Rounding of the time over a million increments; a last one of that size would bring forces of rounding.
+    if left <= dt * (1.0 + 1e-6) {
         left
     } else if !fixed && left < 2.0 * dt {
         0.5 * left

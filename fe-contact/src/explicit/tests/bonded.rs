@@ -49,6 +49,31 @@ fn no_separation_begins_with_touching() {
     assert_eq!(scene.state.v[scene.at(0, 2)], 1.0);
 }
 
+/// The springs of hard contact are 0.1 m/Δt² of the step that begins, but for increments that are nearly the same; where the
+/// secondary node has no mass, m is that of what it meets.
+#[test]
+fn penalties_follow_the_increments() {
+    let structure = masses(&[([0.0, 0.0, 0.1], 2.0), ([0.0, 0.0, -1.0], 0.0)]);
+    let law = Arc::new(Linear { slope: 1.0, clearance: 0.0 });
+    let hard = Definition { behaviour: free(Normal::Hard), ..definition(&[0], floor(1), law.clone()) };
+    let held: Vec<(u32, usize)> = (0..6).map(|c| (1, c)).collect();
+    let mut scene = Scene::within(&structure, hard, (&held, &[]), 1.0);
+    let hold = |f: usize| Support { freedom: f, kind: Prescribed::Displacement, course: Ramp::constant(0.0) };
+    for (most, made_for) in [(1.0f64, 1.0f64), (1.05, 1.0), (2.0, 2.0), (0.5, 0.5)] {
+        let supports = held.iter().map(|&(n, c)| hold(scene.at(n, c))).collect();
+        let terms: &mut [&mut dyn ExplicitTerm] = &mut [&mut scene.lines, &mut scene.pair];
+        CentralDifference::new(terms, supports, (1e9, most), &mut scene.state).unwrap();
+        let penalty = scene.pair.points[0].penalty;
+        assert!((penalty - 0.1 * 2.0 / made_for.powi(2)).abs() < 1e-15, "{most} {penalty}");
+    }
+    let corners = [([0.0, 0.0, 0.0], 3.0), ([1.0, 0.0, 0.0], 3.0), ([0.0, 1.0, 0.0], 3.0), ([0.2, 0.2, 0.1], 0.0)];
+    let faces = MainSurface::Faces(vec![vec![0, 1, 2]]);
+    let hard = Definition { behaviour: free(Normal::Hard), ..definition(&[3], faces, law) };
+    let held: Vec<(u32, usize)> = (0..6).map(|c| (3, c)).collect();
+    let scene = Scene::within(&masses(&corners), hard, (&held, &[]), 1.0);
+    assert!((scene.pair.points[0].penalty - 0.3).abs() < 1e-15);
+}
+
 /// A block that sticks on springs of a given slope and is pushed swings about F/K, and damping along the surface stills it:
 /// 1 − x K/F falls by exp(−ξωt).
 #[test]

@@ -88,7 +88,7 @@ fn kinematic(n: u32) -> Definition {
     hard(&[0], floor(n + 1), Enforcement::Kinematic(1.0))
 }
 
-/// B03: the impulse to 1 %, the times to 2 h/c, and the speed at which it leaves, to 1/n; the energy stays, but for 1/(2n) that
+/// B03: the impulse to 1 %, the times to 2 h/c, and with it the speed at which it leaves; the energy stays, but for 1/(2n) that
 /// kinematic contact takes.
 #[test]
 fn b03_bouncing_bar() {
@@ -101,13 +101,13 @@ fn b03_bouncing_bar() {
         // At half of the pressure: an end node on a spring rings after the wave has passed.
         let closed: Vec<f64> = fall.pressures.iter().filter(|p| p.1 > 0.5).map(|p| p.0).collect();
         let (first, last) = (closed[0], closed[closed.len() - 1]);
-        assert!(
-            (first - unit).abs() <= 2.0 && (last - unit - 2.0 * f64::from(n)).abs() <= 2.0,
-            "{name} {first} {last}"
-        );
+        // A spring of EA/h is like one element more, which the wave passes twice.
+        let leaves = unit + 2.0 * f64::from(n) + late;
+        assert!((first - unit).abs() <= 2.0 && (last - leaves).abs() <= 2.0, "{name} {first} {last}");
         // It leaves at 1 after 5/3 of the unit, and is slowed from there on to 3.
         let expected = 1.0 - (3.0 - 5.0 / 3.0);
-        assert!((fall.speed() - expected).abs() < 1.0 / f64::from(n), "{name} {}", fall.speed());
+        // To the hundredth of the impulse, 8/3 of n, and the increment of the wall's force.
+        assert!((fall.speed() - expected).abs() < 0.01 * 8.0 / 3.0 + dt / unit, "{name} {}", fall.speed());
         // A switch within an increment costs up to ½ ω² q (vΔt − q) ≤ ω²(vΔt)²/8, ω² = 2: of n v²/2, 1/(8 n) at Δt = ½.
         assert!((fall.gained() + lost).abs() < 2.0 * 0.125 / f64::from(n), "{name} {}", fall.gained());
     }

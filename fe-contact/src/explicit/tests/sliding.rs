@@ -41,7 +41,7 @@ fn a34_sliding_block() {
             scene.state.force[z] -= MASS_OF_BLOCK * GRAVITY;
             scene.advance(dt);
             farthest = farthest.max(scene.state.u[x]);
-            let slips = scene.pair.states().next().unwrap().status == ContactStatus::Slipping;
+            let slips = scene.pair.state().points[0].status == ContactStatus::Slipping;
             if !slips && stopped.is_none() && step > 10 {
                 stopped = Some(f64::from(step) * dt);
             }
@@ -70,7 +70,7 @@ fn a34_decaying_friction() {
             scene.state.force[z] -= MASS_OF_BLOCK * GRAVITY;
             scene.advance(dt);
         }
-        let state = scene.pair.states().next().unwrap();
+        let state = scene.pair.state().points[0];
         let ratio = state.shear[0].hypot(state.shear[1]) / state.pressure;
         // It has slowed by μ g t: μ rises by d (μ − μ_k) of that.
         let bound = 0.01 * 0.0736 * 0.28 * GRAVITY * dt * f64::from(steps);
