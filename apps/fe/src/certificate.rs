@@ -159,6 +159,8 @@ pub struct RunCertificate {
     pub seconds: Phases,
     /// Peak memory of the process [bytes], where the system tells.
     pub peak_memory: Option<u64>,
+    /// Elements of an explicit job.
+    pub elements: usize,
     /// Energies at the end of an explicit job, which has no equilibria to certify.
     pub explicit: Option<Balance>,
 }
@@ -220,6 +222,14 @@ impl RunCertificate {
         writeln!(out, "  work of loads       {}", e(b.work))?;
         writeln!(out, "  balance             {} of the largest energy", scientific(b.drift(), 2))?;
         let s = self.seconds;
+        let moving = s.total - s.read - s.write;
+        let each = moving / (self.elements.max(1) * self.increments.max(1)) as f64;
+        writeln!(
+            out,
+            "  an increment        {} s, {} s an element",
+            scientific(moving / self.increments.max(1) as f64, 2),
+            scientific(each, 2)
+        )?;
         write!(out, "  seconds             read {:.2}, write {:.2}; in all {:.2}", s.read, s.write, s.total)
     }
 

@@ -41,7 +41,7 @@ pub enum Event<'a> {
         /// Why, with the labels of the deck.
         reason: &'a str,
     },
-    /// A frame of an explicit step was stored.
+    /// A frame of an explicit step was stored, or it has gone on for a while without one.
     Frame(&'a Frame),
     /// All steps are complete.
     Done(&'a RunCertificate),

@@ -69,6 +69,12 @@ impl Finding {
 
     /// A run that must end after some increments, with these words in the message.
     pub fn stopped(run: &Run, words: &[&str]) -> Self {
+        let went_on = run.ended.is_ok() || !run.certificates.is_empty();
+        Finding::halted(run, words).holds(went_on, "it must go on until then")
+    }
+
+    /// A run that must end before its time, with these words in the message.
+    pub fn halted(run: &Run, words: &[&str]) -> Self {
         let effort = Some([run.certificates.len(), run.cutbacks, run.iterations]);
         let mut found = Finding { effort, ..Finding::default() };
         match &run.ended {
@@ -79,7 +85,6 @@ impl Finding {
             Err(why) => {
                 found.outcome = format!("ended: {}", short(why));
                 found = found.holds(!run.panicked, "a panic is no end");
-                found = found.holds(!run.certificates.is_empty(), "it must go on until then");
                 let missing = |word: &&&str| !why.contains(**word);
                 let said = words.iter().filter(missing).copied().collect::<Vec<_>>();
                 found.holds(said.is_empty(), format!("the message does not say {said:?}: {why}"))

@@ -230,7 +230,18 @@ fn act(terms: &mut Terms, at: &Moving, forces: &mut [f64]) -> Result<Advance, Ha
         let stable = at.stable.min(all.increment());
         all = all.and(term.advance(&Moving { stable, ..*at }, forces)?);
     }
-    Ok(all)
+    match unbounded(forces) {
+        Some(freedom) => Err(Halt::Unbounded { freedom }),
+        None => Ok(all),
+    }
+}
+
+/// The first force that is infinite or no number; by blocks, so that it takes no time beside the forces themselves.
+fn unbounded(forces: &[f64]) -> Option<usize> {
+    let is_bad = |block: &[f64]| block.iter().fold(false, |bad, f| bad | !f.is_finite());
+    let block = forces.chunks(64).position(is_bad)?;
+    let within = forces[64 * block..].iter().position(|f| !f.is_finite())?;
+    Some(64 * block + within)
 }
 
 #[cfg(test)]

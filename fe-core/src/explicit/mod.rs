@@ -111,6 +111,12 @@ pub enum Halt {
         /// The element.
         cell: CellId,
     },
+    /// A force is no number any more.
+    #[error("a force has no end")]
+    Unbounded {
+        /// The freedom it acts on.
+        freedom: usize,
+    },
     /// A freedom has neither mass nor support.
     #[error("a freedom has neither mass nor support")]
     Massless {

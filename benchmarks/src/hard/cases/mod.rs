@@ -2,6 +2,7 @@
 
 mod edges;
 mod elements;
+mod explicit;
 mod faults;
 mod flush;
 mod friction;
@@ -59,5 +60,6 @@ pub const CASES: &[Case] = &[
     Case { id: "D35", name: "order", scenes: order::scenes },
     Case { id: "D36", name: "wrong_side", scenes: wrong_side::scenes },
     Case { id: "D37", name: "quadratic_pressure", scenes: surfaces::quadratic_pressure },
+    Case { id: "D38", name: "explicit_limits", scenes: explicit::scenes },
     Case { id: "D40", name: "idle", scenes: idle::scenes },
 ];
