@@ -5,6 +5,7 @@ pub mod card;
 pub mod cards;
 pub mod compare;
 pub mod exact;
+pub mod explicit;
 pub mod fit;
 pub mod general;
 pub mod growth;

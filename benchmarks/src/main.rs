@@ -1,7 +1,7 @@
 //! The program: measures problems with known answers.
 
 use benchmarks::study::Options;
-use benchmarks::{card, compare, general, growth, hard, measure, problems, reading, study};
+use benchmarks::{card, compare, explicit, general, growth, hard, measure, problems, reading, study};
 use clap::{Parser, Subcommand};
 use std::error::Error;
 use std::ffi::OsString;
@@ -70,6 +70,11 @@ enum Command {
     },
     /// How seconds by phase and memory grow with the unknowns of the cantilever.
     Growth {
+        #[command(flatten)]
+        settings: Settings,
+    },
+    /// Explicit steps: updates of elements a second beside the memory, and two bars that hit each other beside CalculiX.
+    Explicit {
         #[command(flatten)]
         settings: Settings,
     },
@@ -158,6 +163,7 @@ fn execute(command: Command) -> Result<ExitCode, Box<dyn Error>> {
             reading::study(&reading::Options { edge, runs, work, results }, out)?;
         }
         Command::Growth { settings } => growth::study(&settings.options(), out)?,
+        Command::Explicit { settings } => explicit::study(&settings.options(), out)?,
         Command::General { threads } => general::study(threads, out)?,
         Command::Phases { deck, threads } => growth::phases(&deck, threads, out)?,
         Command::Fe { arguments } => {

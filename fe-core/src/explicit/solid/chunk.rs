@@ -21,6 +21,9 @@ pub(super) trait Elements: Debug + Send + Sync {
     /// Moves them on.
     fn advance(&mut self, run: Run) -> Outcome;
 
+    /// Memory [bytes] of their nodes and state.
+    fn bytes(&self) -> usize;
+
     /// Stress and plastic strain of an element, means over its points.
     fn point(&self, element: usize) -> ([f64; 6], f64);
 }
@@ -106,6 +109,12 @@ impl Chunk {
 
     pub fn count(&self) -> usize {
         self.cells.len()
+    }
+
+    /// Memory [bytes] that an increment passes through.
+    pub fn bytes(&self) -> usize {
+        let of_nodes = self.nodes.len() * (size_of::<u32>() + size_of::<[f64; 3]>());
+        self.elements.bytes() + of_nodes + size_of_val(&self.places[..]) + size_of_val(&self.forces[..])
     }
 
     pub fn cell(&self, element: usize) -> CellId {

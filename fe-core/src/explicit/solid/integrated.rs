@@ -257,6 +257,10 @@ impl<const N: usize, const P: usize> Elements for Integrated<N, P> {
         Arch::new().dispatch(Pass { run, elements: self })
     }
 
+    fn bytes(&self) -> usize {
+        size_of_val(&self.nodes[..]) + size_of_val(&self.state[..])
+    }
+
     /// Means of the points.
     fn point(&self, element: usize) -> ([f64; 6], f64) {
         let points = &self.state[element / LANES * Self::NUMBERS + 1 + N..];

@@ -175,6 +175,12 @@ impl Solids {
         self.chunks.iter().map(Chunk::count).sum()
     }
 
+    /// Memory [bytes] that an increment passes through once, besides the vectors of the motion: elements, their state and their
+    /// copies of nodes.
+    pub fn bytes(&self) -> usize {
+        self.chunks.iter().map(Chunk::bytes).sum()
+    }
+
     /// State of all elements, in the order of the chunks.
     pub fn states(&self) -> impl Iterator<Item = PointState> + '_ {
         self.chunks.iter().flat_map(Chunk::states)

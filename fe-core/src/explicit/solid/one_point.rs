@@ -61,6 +61,10 @@ impl<S: Shape<N, H>, const N: usize, const H: usize> Elements for OnePoint<S, N,
         Arch::new().dispatch(Pass::<S, N, H> { run, elements: self })
     }
 
+    fn bytes(&self) -> usize {
+        size_of_val(&self.nodes[..]) + size_of_val(&self.state[..])
+    }
+
     fn point(&self, element: usize) -> ([f64; 6], f64) {
         let state = &self.state[element / LANES * Self::NUMBERS..];
         ([0, 1, 2, 3, 4, 5].map(|i| state[i].0[element % LANES]), state[PLASTIC].0[element % LANES])

@@ -1,0 +1,22 @@
+//! How fast explicit steps are: elements alone beside what the memory lets through, and two bars that hit each other beside
+//! CalculiX.
+
+mod bars;
+mod elements;
+
+use crate::machine::Origin;
+use crate::study::Options;
+use std::error::Error;
+use std::io::Write;
+
+/// Measures both and prints a table each.
+pub fn study(options: &Options, out: &mut dyn Write) -> Result<(), Box<dyn Error>> {
+    let origin = Origin::here();
+    let Options { threads, runs, .. } = options;
+    writeln!(out, "{}; commit {}; {threads} thread(s); medians of {runs} runs\n", origin.machine, origin.commit)?;
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(*threads).build()?;
+    let mut table = Vec::new();
+    pool.install(|| elements::study(*runs, &mut table))?;
+    out.write_all(&table)?;
+    bars::study(&origin, options, out)
+}
