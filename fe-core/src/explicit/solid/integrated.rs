@@ -26,7 +26,7 @@ pub(super) struct Integrated<const N: usize, const P: usize> {
     tables: Tables<N, P>,
     /// Local nodes of eight elements each; the last batch repeats its last element.
     nodes: Vec<[[u32; LANES]; N]>,
-    /// Mass, parts of it at the nodes, then the points, batch after batch.
+    /// Mass, volume at the end of the last increment, parts of the mass at the nodes, then the points, batch after batch.
     state: Vec<Lanes>,
 }
 
@@ -64,7 +64,7 @@ impl<const N: usize> Around<N> {
 }
 
 impl<const N: usize, const P: usize> Integrated<N, P> {
-    const NUMBERS: usize = 1 + N + OF_POINT * P;
+    const NUMBERS: usize = 2 + N + OF_POINT * P;
 
     /// Power of N that masses go with: functions of corners alone are positive.
     const POWER: i32 = if N > 8 { 2 } else { 1 };
@@ -125,19 +125,18 @@ impl<const N: usize, const P: usize> Integrated<N, P> {
         let around: [Around<N>; P] = std::array::from_fn(|p| self.around(p, common.thickness, x));
         let volume = around.iter().fold(Lanes::ZERO, |sum, point| sum + point.volume);
         let mean = mean(&around, volume);
-        let mut opened = Lanes::ZERO;
-        for a in 0..N {
-            (0..3).for_each(|i| opened += mean[a][i] * du[a][i]);
-        }
-        let (own, of_points) = state.split_at_mut(1 + N);
-        let (mass, shares) = (own[0], &own[1..]);
+        let (own, of_points) = state.split_at_mut(2 + N);
+        let mass = own[0];
+        // Strain of the volume, over the one in the middle.
+        let opened = (volume - own[1]) / (volume + own[1]) * 2.0;
+        own[1] = volume;
 
         let (mut lambda, mut mu) = (Lanes::ZERO, Lanes::ZERO);
         let points: [_; P] = std::array::from_fn(|p| {
-            let mut gradient = around[p].gradient(du);
-            let shift = (opened - gradient[0][0] - gradient[1][1] - gradient[2][2]) * (1.0 / 3.0);
-            (0..3).for_each(|i| gradient[i][i] += shift);
-            let motion = Motion::new(&gradient);
+            let mut motion = Motion::new(&around[p].gradient(du));
+            let own = motion.opened();
+            let shift = (opened - own) * (1.0 / 3.0);
+            (0..3).for_each(|i| motion.strain[i] += shift);
             let backward = match common.answer.is_total() {
                 true => self.backward(&around[p], reference, volume * common.density / mass),
                 false => [[Lanes::ZERO; 3]; 3],
@@ -148,18 +147,17 @@ impl<const N: usize, const P: usize> Integrated<N, P> {
             kept[..6].copy_from_slice(&point.stress);
             kept[6] = point.plastic;
             (lambda, mu) = (lambda.max(done.moduli[0]), mu.max(done.moduli[1]));
-            (motion, point.stress, done)
+            (motion, point.stress, done, around[p].volume * (Lanes::splat(1.0) - own * 0.5))
         });
 
-        let square = square(&around, &mean, (volume, mass, shares), [lambda, mu]);
+        let square = square(&around, &mean, (volume, mass, &own[2..]), [lambda, mu]);
         let zero = Lanes::ZERO;
         let mut out = Batch { forces: [[zero; 3]; N], energies: [zero; 4], volume: around[0].volume, stable: zero };
-        for (around, (motion, stress, done)) in around.iter().zip(&points) {
+        for (around, (motion, stress, done, middle)) in around.iter().zip(&points) {
             let viscosity = Viscosity::new(common, dt, (volume, mass), (motion, square), false);
-            let middle = around.volume * (Lanes::splat(1.0) - motion.opened() * 0.5);
-            out.energies[0] += done.work * middle;
-            out.energies[1] += done.dissipated * middle;
-            out.energies[3] += viscosity.work * middle;
+            out.energies[0] += done.work * *middle;
+            out.energies[1] += done.dissipated * *middle;
+            out.energies[3] += viscosity.work * *middle;
             out.volume = -(-out.volume).max(-around.volume);
             out.stable = viscosity.stable;
             let t = full(&std::array::from_fn(|i| (stress[i] + viscosity.stress[i]) * around.volume));
@@ -243,11 +241,11 @@ impl<const N: usize, const P: usize> Elements for Integrated<N, P> {
                 }
             }
             let own = &mut self.state[b * Self::NUMBERS..];
-            own[0] = volume * common.density;
+            (own[0], own[1]) = (volume * common.density, volume);
             for a in 0..N {
-                own[1 + a] = parts[a] / whole;
+                own[2 + a] = parts[a] / whole;
                 for lane in 0..(count - b * LANES).min(LANES) {
-                    masses[self.nodes[b][a][lane] as usize] += own[0].0[lane] * own[1 + a].0[lane];
+                    masses[self.nodes[b][a][lane] as usize] += own[0].0[lane] * own[2 + a].0[lane];
                 }
             }
         }
@@ -263,7 +261,7 @@ impl<const N: usize, const P: usize> Elements for Integrated<N, P> {
 
     /// Means of the points.
     fn point(&self, element: usize) -> ([f64; 6], f64) {
-        let points = &self.state[element / LANES * Self::NUMBERS + 1 + N..];
+        let points = &self.state[element / LANES * Self::NUMBERS + 2 + N..];
         let mean = |i: usize| (0..P).map(|p| points[OF_POINT * p + i].0[element % LANES]).sum::<f64>() / P as f64;
         (std::array::from_fn(mean), mean(6))
     }
