@@ -7,7 +7,7 @@
 
 use super::batch::{Batch, Common, Outcome, Run, all, batches, gather};
 use super::chunk::Elements;
-use super::motion::{Matrix, Motion, full, inverse};
+use super::motion::{Matrix, Motion, Symmetric, full, inverse};
 use super::response::Point;
 use super::shape::Vector;
 use super::viscosity::Viscosity;
@@ -31,6 +31,7 @@ pub(super) struct Integrated<const N: usize, const P: usize> {
 }
 
 /// The surroundings of a point of eight elements.
+#[derive(Clone, Copy)]
 struct Around<const N: usize> {
     /// ∇N of each node [1/L].
     gradients: [Vector; N],
@@ -40,7 +41,31 @@ struct Around<const N: usize> {
     volume: Lanes,
 }
 
+/// What an increment did to a point of eight elements.
+#[derive(Clone, Copy)]
+struct Moved {
+    motion: Motion,
+    stress: Symmetric,
+    /// Work, and of it what went into plastic flow [F L].
+    work: Lanes,
+    dissipated: Lanes,
+    /// Volume in the middle of the increment [L³].
+    middle: Lanes,
+}
+
+impl Moved {
+    const ZERO: Moved = Moved {
+        motion: Motion { strain: [Lanes::ZERO; 6], rotation: [[Lanes::ZERO; 3]; 3] },
+        stress: [Lanes::ZERO; 6],
+        work: Lanes::ZERO,
+        dissipated: Lanes::ZERO,
+        middle: Lanes::ZERO,
+    };
+}
+
 impl<const N: usize> Around<N> {
+    const ZERO: Around<N> = Around { gradients: [[Lanes::ZERO; 3]; N], hoop: [Lanes::ZERO; N], volume: Lanes::ZERO };
+
     /// What the motion of a node along an axis does to the volume.
     #[inline(always)]
     fn divergence(&self, a: usize, i: usize) -> Lanes {
@@ -122,7 +147,10 @@ impl<const N: usize, const P: usize> Integrated<N, P> {
         [x, du, reference]: [&[Vector; N]; 3],
         state: &mut [Lanes],
     ) -> Batch<N> {
-        let around: [Around<N>; P] = std::array::from_fn(|p| self.around(p, common.thickness, x));
+        let mut around = [Around::ZERO; P];
+        for p in 0..P {
+            around[p] = self.around(p, common.thickness, x);
+        }
         let volume = around.iter().fold(Lanes::ZERO, |sum, point| sum + point.volume);
         let mean = mean(&around, volume);
         let (own, of_points) = state.split_at_mut(2 + N);
@@ -132,7 +160,8 @@ impl<const N: usize, const P: usize> Integrated<N, P> {
         own[1] = volume;
 
         let (mut lambda, mut mu) = (Lanes::ZERO, Lanes::ZERO);
-        let points: [_; P] = std::array::from_fn(|p| {
+        let mut points = [Moved::ZERO; P];
+        for p in 0..P {
             let mut motion = Motion::new(&around[p].gradient(du));
             let own = motion.opened();
             let shift = (opened - own) * (1.0 / 3.0);
@@ -147,20 +176,25 @@ impl<const N: usize, const P: usize> Integrated<N, P> {
             kept[..6].copy_from_slice(&point.stress);
             kept[6] = point.plastic;
             (lambda, mu) = (lambda.max(done.moduli[0]), mu.max(done.moduli[1]));
-            (motion, point.stress, done, around[p].volume * (Lanes::splat(1.0) - own * 0.5))
-        });
+            let middle = around[p].volume * (Lanes::splat(1.0) - own * 0.5);
+            let [work, dissipated] = [done.work * middle, done.dissipated * middle];
+            points[p] = Moved { motion, stress: point.stress, work, dissipated, middle };
+        }
 
         let square = square(&around, &mean, (volume, mass, &own[2..]), [lambda, mu]);
         let zero = Lanes::ZERO;
         let mut out = Batch { forces: [[zero; 3]; N], energies: [zero; 4], volume: around[0].volume, stable: zero };
-        for (around, (motion, stress, done, middle)) in around.iter().zip(&points) {
+        for (around, point) in around.iter().zip(&points) {
+            let Moved { motion, stress, work, dissipated, middle } = point;
             let viscosity = Viscosity::new(common, dt, (volume, mass), (motion, square), false);
-            out.energies[0] += done.work * *middle;
-            out.energies[1] += done.dissipated * *middle;
+            out.energies[0] += *work;
+            out.energies[1] += *dissipated;
             out.energies[3] += viscosity.work * *middle;
             out.volume = -(-out.volume).max(-around.volume);
             out.stable = viscosity.stable;
-            let t = full(&std::array::from_fn(|i| (stress[i] + viscosity.stress[i]) * around.volume));
+            let mut all = *stress;
+            (0..6).for_each(|i| all[i] = (all[i] + viscosity.stress[i]) * around.volume);
+            let t = full(&all);
             let third = (t[0][0] + t[1][1] + t[2][2]) * (1.0 / 3.0);
             for a in 0..N {
                 for i in 0..3 {
@@ -190,12 +224,14 @@ impl<const N: usize, const P: usize> Integrated<N, P> {
 /// ∂V/∂x/V of the nodes.
 #[inline(always)]
 fn mean<const N: usize, const P: usize>(around: &[Around<N>; P], volume: Lanes) -> [Vector; N] {
-    std::array::from_fn(|a| {
-        std::array::from_fn(|i| {
-            let sum = |sum, point: &Around<N>| sum + point.divergence(a, i) * point.volume;
-            around.iter().fold(Lanes::ZERO, sum) / volume
-        })
-    })
+    let mut out = [[Lanes::ZERO; 3]; N];
+    for point in around {
+        let part = point.volume / volume;
+        for a in 0..N {
+            (0..3).for_each(|i| out[a][i] += point.divergence(a, i) * part);
+        }
+    }
+    out
 }
 
 /// ω² ≤ 2μ max_a Σ_b |Λ_ab|/m_a + λ V Σ_a |b_a|²/m_a with Λ_ab = ∫∇N_a · ∇N_b dV (Gershgorin), in rings N_a N_b/r² besides: within
@@ -289,9 +325,13 @@ impl<const N: usize, const P: usize> Pass<'_, '_, N, P> {
         let mut state = std::mem::take(&mut self.elements.state);
         let elements = &*self.elements;
         let parts = state.chunks_exact_mut(Integrated::<N, P>::NUMBERS);
-        let outcome = all(self.run, &elements.nodes, parts, |motion: [&[Vector; N]; 3], state| {
-            elements.batch::<FUSED>(common, dt, motion, state)
-        });
+        let outcome = all(
+            self.run,
+            &elements.nodes,
+            parts,
+            #[inline(always)]
+            |motion, state| elements.batch::<FUSED>(common, dt, motion, state),
+        );
         self.elements.state = state;
         outcome
     }

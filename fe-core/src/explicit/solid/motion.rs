@@ -22,6 +22,7 @@ pub(super) type Symmetric = [Lanes; 6];
 pub(super) type Matrix = [[Lanes; 3]; 3];
 
 /// The motion of an increment at a point.
+#[derive(Clone, Copy)]
 pub(super) struct Motion {
     /// Strain ε.
     pub strain: Symmetric,

@@ -3,7 +3,7 @@
 use super::batch::{Common, Outcome, Run, all, batches, gather};
 use super::chunk::Elements;
 use super::kernel::{batch, geometry};
-use super::shape::{Shape, Vector};
+use super::shape::Shape;
 use crate::element::Space;
 use crate::lanes::{LANES, Lanes};
 use pulp::{Arch, Simd, WithSimd};
@@ -91,8 +91,13 @@ impl<S: Shape<N, H>, const N: usize, const H: usize> Pass<'_, '_, S, N, H> {
     fn go<const FUSED: bool>(self) -> Outcome {
         let (common, dt) = (self.run.common, self.run.dt);
         let state = self.elements.state.chunks_exact_mut(numbers(S::SPACE, H));
-        all(self.run, &self.elements.nodes, state, |motion: [&[Vector; N]; 3], state| {
-            batch::<S, N, H, FUSED>(common, dt, motion, state)
-        })
+        // Inlined as all the rest is: what is not would be compiled for the narrowest vectors.
+        all(
+            self.run,
+            &self.elements.nodes,
+            state,
+            #[inline(always)]
+            |motion, state| batch::<S, N, H, FUSED>(common, dt, motion, state),
+        )
     }
 }
