@@ -3,7 +3,7 @@
 use crate::fit;
 use crate::machine::Origin;
 use fe_contact::explicit::{
-    Acting, Behaviour, GeneralContact, GeneralCount, GeneralDefinition, GeneralFace, Normal, Separation, Sides,
+    Acting, Behaviour, Between, GeneralContact, GeneralCount, GeneralDefinition, GeneralFace, Normal, Separation, Sides,
 };
 use fe_contact::facet::{Facet, Vec3};
 use fe_contact::viscous::ExplicitDamping;
@@ -146,7 +146,7 @@ fn contact(structure: &Structure, freedoms: &Freedoms) -> GeneralContact {
     let definition = GeneralDefinition {
         name: "general contact".into(),
         faces: exterior(&structure.mesh).into_iter().map(of).collect(),
-        table: vec![vec![Some(Acting { behaviour: 0, scale: 0 })]],
+        table: vec![vec![Between::Acting(Acting { behaviour: 0, scale: 0 })]],
         behaviours: vec![behaviour],
         scales: vec![1.0],
     };

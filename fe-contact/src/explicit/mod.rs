@@ -17,7 +17,9 @@ mod target;
 pub use behaviour::{Behaviour, Normal, Separation};
 pub use carriers::RigidFollower;
 pub use definition::{Definition, Enforcement, Secondary};
-pub use general::{Acting, Adjusted, GeneralContact, GeneralCount, GeneralDefinition, GeneralFace, Sides, adjust};
+pub use general::{
+    Acting, Adjusted, Between, GeneralContact, GeneralCount, GeneralDefinition, GeneralFace, Sides, adjust,
+};
 pub use pair::{ContactPair, Unsettled};
 pub use sides::PairSides;
 pub use state::{NodeForce, Side, Tally};

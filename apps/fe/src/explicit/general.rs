@@ -3,7 +3,8 @@
 use super::contact::behaviour;
 use super::scene::Scene;
 use fe_contact::explicit::{
-    Acting, Adjusted, Behaviour, GeneralContact, GeneralDefinition, GeneralFace, Normal, RigidFollower, Sides, adjust,
+    Acting, Adjusted, Behaviour, Between, GeneralContact, GeneralDefinition, GeneralFace, Normal, RigidFollower, Sides,
+    adjust,
 };
 use fe_contact::facet::{Facet, Vec3};
 use fe_contact::pair::{self, Region};
@@ -44,9 +45,9 @@ fn definition(structure: &Structure, model: &Model, step: &Step) -> Option<Gener
     let contact = step.general_contact.as_ref()?;
     let faces = Faces::new(structure, contact, &pairs(model, step));
     let classes = faces.classes.len();
-    let table: Vec<Vec<Option<Acting>>> =
-        (0..classes).map(|one| (0..classes).map(|other| faces.acting(contact, one, other)).collect()).collect();
-    let may_touch = |class: u16| table[usize::from(class)].iter().any(Option::is_some);
+    let table: Vec<Vec<Between>> =
+        (0..classes).map(|one| (0..classes).map(|other| faces.between(contact, one, other)).collect()).collect();
+    let may_touch = |class: u16| table[usize::from(class)].iter().any(|between| matches!(between, Between::Acting(_)));
     let of = |(face, class): (&Face, &u16)| {
         let facet = Facet::new(structure, *face, None, &Vec3::zeros());
         let sides = if is_rigid(structure, face) { Sides::Both } else { Sides::Outer };
@@ -177,18 +178,21 @@ impl Faces {
     }
 
     /// What acts between two classes; the last line that names them holds.
-    fn acting(&self, contact: &pair::GeneralContact, one: usize, other: usize) -> Option<Acting> {
+    fn between(&self, contact: &pair::GeneralContact, one: usize, other: usize) -> Between {
         let number = |region: &Region| self.known.iter().position(|known| known == region).expect("it was counted");
         let names = |regions: &[Region; 2]| self.has([one, other], regions.each_ref().map(number));
         let left_out =
             contact.exclusions.iter().any(names) || self.pairs.iter().any(|&pair| self.has([one, other], pair));
-        if left_out || !contact.inclusions.iter().any(names) {
-            return None;
+        if left_out {
+            return Between::Excluded;
+        }
+        if !contact.inclusions.iter().any(names) {
+            return Between::Nothing;
         }
         let last = |found: &mut dyn DoubleEndedIterator<Item = (usize, &[Region; 2])>| {
             found.rev().find(|(_, regions)| names(regions)).map_or(0, |(place, _)| place as u16 + 1)
         };
-        Some(Acting {
+        Between::Acting(Acting {
             behaviour: last(&mut contact.interactions.iter().map(|(regions, _)| regions).enumerate()),
             scale: last(&mut contact.scale_penalty.iter().map(|(regions, _)| regions).enumerate()),
         })

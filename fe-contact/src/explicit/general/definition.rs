@@ -31,6 +31,17 @@ pub struct Acting {
     pub scale: u16,
 }
 
+/// What two classes of faces are to each other.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Between {
+    /// Nothing includes them: they pass through each other.
+    Nothing,
+    /// They are excluded: so is a node or an edge that has other faces, too.
+    Excluded,
+    /// They may touch.
+    Acting(Acting),
+}
+
 /// General contact: any of its faces may touch any other, as the table says.
 #[derive(Clone, Debug)]
 pub struct GeneralDefinition {
@@ -38,8 +49,8 @@ pub struct GeneralDefinition {
     pub name: String,
     /// Faces.
     pub faces: Vec<GeneralFace>,
-    /// What acts between two classes of faces, symmetric; `None`: they pass through each other.
-    pub table: Vec<Vec<Option<Acting>>>,
+    /// What two classes of faces are to each other, symmetric.
+    pub table: Vec<Vec<Between>>,
     /// Behaviours.
     pub behaviours: Vec<Behaviour>,
     /// Factors on the penalty [-].

@@ -14,7 +14,7 @@ mod surface;
 mod table;
 mod touch;
 
-pub use definition::{Acting, GeneralDefinition, GeneralFace, Sides};
+pub use definition::{Acting, Between, GeneralDefinition, GeneralFace, Sides};
 pub use overclosure::{Adjusted, adjust};
 pub use report::GeneralCount;
 

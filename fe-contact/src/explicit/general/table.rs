@@ -1,39 +1,46 @@
 //! What acts between nodes, edges and faces: the table of a definition, ready for use.
 
-use super::definition::{Acting, GeneralDefinition};
+use super::definition::{Acting, Between, GeneralDefinition};
 use super::surface::Surface;
 use crate::explicit::behaviour::{Behaviour, Normal};
 
 #[derive(Debug)]
 pub(super) struct Table {
     /// Between a set of classes and a class.
-    by_set: Vec<Vec<Option<Acting>>>,
+    by_set: Vec<Vec<Between>>,
     /// Between two sets.
-    by_sets: Vec<Vec<Option<Acting>>>,
+    by_sets: Vec<Vec<Between>>,
     pub behaviours: Vec<Behaviour>,
     pub scales: Vec<f64>,
     /// Largest clearance [L] at which some law presses.
     pub reach: f64,
 }
 
-/// Both, where both act: the later behaviour and the later factor.
-fn later(a: Option<Acting>, b: Option<Acting>) -> Option<Acting> {
+/// Both: an exclusion holds; where both act, the later behaviour and the later factor.
+fn both(a: Between, b: Between) -> Between {
     match (a, b) {
-        (Some(a), Some(b)) => Some(Acting { behaviour: a.behaviour.max(b.behaviour), scale: a.scale.max(b.scale) }),
-        (one, other) => one.or(other),
+        (Between::Excluded, _) | (_, Between::Excluded) => Between::Excluded,
+        (Between::Acting(a), Between::Acting(b)) => {
+            Between::Acting(Acting { behaviour: a.behaviour.max(b.behaviour), scale: a.scale.max(b.scale) })
+        }
+        (Between::Nothing, other) | (other, Between::Nothing) => other,
     }
+}
+
+fn acting(between: Between) -> Option<Acting> {
+    if let Between::Acting(acting) = between { Some(acting) } else { None }
 }
 
 impl Table {
     pub fn new(definition: &GeneralDefinition, surface: &Surface) -> Self {
         let classes = definition.table.len();
         let of_set = |set: &Vec<u16>, class: usize| {
-            set.iter().map(|&c| definition.table[usize::from(c)][class]).fold(None, later)
+            set.iter().map(|&c| definition.table[usize::from(c)][class]).fold(Between::Nothing, both)
         };
         let sets = &surface.class_sets;
         let by_set: Vec<Vec<_>> = sets.iter().map(|set| (0..classes).map(|c| of_set(set, c)).collect()).collect();
         let of_sets =
-            |row: &Vec<Option<Acting>>, set: &Vec<u16>| set.iter().map(|&c| row[usize::from(c)]).fold(None, later);
+            |row: &[Between], set: &[u16]| set.iter().map(|&c| row[usize::from(c)]).fold(Between::Nothing, both);
         let by_sets = by_set.iter().map(|row| sets.iter().map(|set| of_sets(row, set)).collect()).collect();
         let reach = |behaviour: &Behaviour| match &behaviour.normal {
             Normal::Softened(law) => law.reach(),
@@ -50,11 +57,11 @@ impl Table {
 
     /// Between a node of a set of classes and a face of a class.
     pub fn of_face(&self, set: u16, class: u16) -> Option<Acting> {
-        self.by_set[usize::from(set)][usize::from(class)]
+        acting(self.by_set[usize::from(set)][usize::from(class)])
     }
 
     /// Between edges of two sets of classes.
     pub fn of_edges(&self, first: u16, second: u16) -> Option<Acting> {
-        self.by_sets[usize::from(first)][usize::from(second)]
+        acting(self.by_sets[usize::from(first)][usize::from(second)])
     }
 }

@@ -1,7 +1,7 @@
 //! Bodies in motion under contact.
 
 use super::*;
-use crate::explicit::general::{Acting, GeneralContact, GeneralDefinition, GeneralFace, Sides};
+use crate::explicit::general::{Acting, Between, GeneralContact, GeneralDefinition, GeneralFace, Sides};
 use crate::facet::Facet;
 use fe_core::element::ElementType::{C3D8R, R3D4};
 use fe_core::explicit::solid::{Hourglass, SolidSection, Solids};
@@ -69,7 +69,7 @@ impl Bodies {
         let classes = self.first.len() + 1;
         let acts = |one: usize, other: usize| {
             let out = without.contains(&[one, other]) || without.contains(&[other, one]);
-            (!out).then_some(Acting { behaviour: 0, scale: 0 })
+            if out { Between::Excluded } else { Between::Acting(Acting { behaviour: 0, scale: 0 }) }
         };
         GeneralDefinition {
             name: "general contact".into(),
