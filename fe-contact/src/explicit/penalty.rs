@@ -18,13 +18,17 @@ pub(super) const AHEAD: f64 = 2.0;
 /// them [-].
 const LIKE: f64 = 0.1;
 
+/// True where springs that were made for an increment [T] are to be made anew. They stay as they are as long as masses and
+/// increments do: a step that goes on with a contact goes on with its forces.
+pub(super) fn is_stale(made_for: Option<f64>, at: &Moving) -> bool {
+    made_for.is_none_or(|made_for| at.dt == 0.0 && (at.stable / made_for - 1.0).abs() > LIKE)
+}
+
 impl ContactPair {
     /// Adds the forces [F] at the end of an increment.
     pub(super) fn press(&mut self, at: &Moving, forces: &mut [f64]) -> Advance {
         self.look(at.u, at.v);
-        // Springs stay as they are as long as masses and increments do: a step that goes on with a pair goes on with its forces.
-        let changed = |made_for: f64| at.dt == 0.0 && (at.stable / made_for - 1.0).abs() > LIKE;
-        if self.made_for.is_none_or(changed) {
+        if is_stale(self.made_for, at) {
             self.stiffen(at.stable);
         }
         for i in 0..self.points.len() {

@@ -1,6 +1,6 @@
 """Writes the deck of the poured balls: rubber balls that fall over a pyramid into a box, under general contact.
 
-    balls.py OUT.inp [--layers 8] [--size 2.8] [--time 0.3]
+    balls.py OUT.inp [--layers 8] [--size 3.0] [--time 0.2]
 
 Units mm, t, s, N. One ball is meshed with gmsh (C3D4) and copied, each copy turned by an angle of its own and set off the
 lattice by a little; the box and the pyramid in it are rigid facets. The sequence of numbers is fixed: the same deck each time.
@@ -73,8 +73,8 @@ def main():
     words = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     words.add_argument("out")
     words.add_argument("--layers", type=int, default=8)
-    words.add_argument("--size", type=float, default=2.8)
-    words.add_argument("--time", type=float, default=0.3)
+    words.add_argument("--size", type=float, default=3.0)
+    words.add_argument("--time", type=float, default=0.2)
     given = words.parse_args()
     random = np.random.default_rng(7)
     points, cells = ball(given.size)

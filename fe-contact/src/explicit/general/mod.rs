@@ -19,7 +19,7 @@ pub use overclosure::{Adjusted, adjust};
 pub use report::GeneralCount;
 
 use super::carriers::{Carriers, RigidFollower};
-use super::penalty::PENALTY;
+use super::penalty::{PENALTY, is_stale};
 use crate::facet::Vec3;
 use crate::search::{Bounds, Grid};
 use edges::{Closed, Edges};
@@ -66,6 +66,8 @@ pub struct GeneralContact {
     ground: Ground,
     nodes: Vec<Nodes>,
     edges: Vec<Edges>,
+    /// The increment [T] that springs were made for.
+    made_for: Option<f64>,
     /// Up to how much travelled [L] the last search holds.
     holds: f64,
     searches: usize,
@@ -92,6 +94,7 @@ impl GeneralContact {
             nodes: runs(surface.nodes.len()).map(Nodes::new).collect(),
             edges: runs(surface.edges.len()).map(Edges::new).collect(),
             ground: Ground { carriers, surface, table, penalties: Vec::new(), travelled: 0.0 },
+            made_for: None,
             holds: f64::NEG_INFINITY,
             searches: 0,
             work: 0.0,
@@ -105,6 +108,7 @@ impl GeneralContact {
             if inverse > 0.0 { PENALTY / (inverse * increment * increment) } else { f64::INFINITY }
         };
         self.ground.penalties = self.ground.carriers.inverse_mass.iter().map(of).collect();
+        self.made_for = Some(increment);
     }
 
     /// Counts how far things move against each other in an increment [T]: at most by the diagonal of the box of all velocities.
@@ -182,11 +186,15 @@ impl ExplicitTerm for GeneralContact {
     }
 
     fn weigh(&mut self, mass: &[f64]) {
+        let before = self.ground.carriers.inverse_mass.clone();
         self.ground.carriers.weigh(mass);
+        if self.ground.carriers.inverse_mass != before {
+            self.made_for = None;
+        }
     }
 
     fn advance(&mut self, at: &Moving, forces: &mut [f64]) -> Result<Advance, Halt> {
-        if self.ground.penalties.is_empty() {
+        if is_stale(self.made_for, at) {
             self.stiffen(at.stable);
         }
         self.ground.carriers.update(at.u, at.v);
