@@ -1,5 +1,7 @@
 //! General contact by decks: what it leaves to pairs, what is excluded, which assignment holds, and the law by scale factors.
 
+#![allow(clippy::unwrap_used)]
+
 mod common;
 
 use common::job::Job;

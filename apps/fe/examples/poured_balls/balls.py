@@ -1,9 +1,9 @@
-"""Writes the deck of the poured balls: rubber balls that fall over a pyramid into a box, under general contact.
+"""Writes the deck of the poured balls: rubber balls that fall over a block into a box, under general contact.
 
-    balls.py OUT.inp [--layers 8] [--size 3.0] [--time 0.2]
+    balls.py OUT.inp [--layers 8] [--size 3.0] [--time 0.12]
 
 Units mm, t, s, N. One ball is meshed with gmsh (C3D4) and copied, each copy turned by an angle of its own and set off the
-lattice by a little; the box and the pyramid in it are rigid facets. The sequence of numbers is fixed: the same deck each time.
+lattice by a little; the box is made of rigid facets, the block on its floor of C3D8R. The sequence of numbers is fixed: the same deck each time.
 """
 
 import argparse
@@ -14,8 +14,8 @@ import numpy as np
 RADIUS = 10.0
 # Half width of the box and its height.
 HALF, HEIGHT = 58.0, 130.0
-# Half width of the pyramid and its height.
-FOOT, TIP = 26.0, 34.0
+# Half width of the block and its height.
+FOOT, TIP = 24.0, 24.0
 
 
 def ball(size):
@@ -48,18 +48,35 @@ def rotation(random):
 
 
 def walls():
-    """Corners and facets of the box and of the pyramid, normals inwards or upwards."""
+    """Corners and facets of the box, normals inwards."""
     h, t = HALF, HEIGHT
     corners = [(-h, -h, 0), (h, -h, 0), (h, h, 0), (-h, h, 0), (-h, -h, t), (h, -h, t), (h, h, t), (-h, h, t)]
     four = [(0, 1, 2, 3), (0, 4, 5, 1), (1, 5, 6, 2), (2, 6, 7, 3), (3, 7, 4, 0)]
-    f = FOOT
-    corners += [(-f, -f, 0), (f, -f, 0), (f, f, 0), (-f, f, 0), (0, 0, TIP)]
-    three = [(8, 9, 12), (9, 10, 12), (10, 11, 12), (11, 8, 12)]
-    return np.array(corners, float), four, three
+    return np.array(corners, float), four
+
+
+def block(put, first, element):
+    """Writes the block, eight by eight by four bricks on the floor; the next labels of nodes and elements."""
+    n, m = 8, 4
+    label = lambda i, j, k: first + i + (n + 1) * (j + (n + 1) * k)
+    for k in range(m + 1):
+        put("*NODE, NSET=" + ("BASE" if k == 0 else "BLOCK"))
+        for j in range(n + 1):
+            for i in range(n + 1):
+                x, y, z = (2 * i / n - 1) * FOOT, (2 * j / n - 1) * FOOT, k / m * TIP
+                put(f"{label(i, j, k)}, {x:.6f}, {y:.6f}, {z + 0.01:.6f}")
+    put("*ELEMENT, TYPE=C3D8R, ELSET=BLOCK")
+    for k in range(m):
+        for j in range(n):
+            for i in range(n):
+                corners = [label(i + a, j + b, k + c) for c in (0, 1) for a, b in ((0, 0), (1, 0), (1, 1), (0, 1))]
+                put(f"{element}, " + ", ".join(str(corner) for corner in corners))
+                element += 1
+    return label(n, n, m) + 1, element
 
 
 def centres(layers, random):
-    """Centres of the balls: layers of four by four above the pyramid, each layer turned against the one below."""
+    """Centres of the balls: layers of four by four above the block, each layer turned against the one below."""
     for layer in range(layers):
         turn = np.pi / 4 * (layer % 2) + 0.1 * random.normal()
         c, s = np.cos(turn), np.sin(turn)
@@ -74,11 +91,11 @@ def main():
     words.add_argument("out")
     words.add_argument("--layers", type=int, default=8)
     words.add_argument("--size", type=float, default=3.0)
-    words.add_argument("--time", type=float, default=0.2)
+    words.add_argument("--time", type=float, default=0.12)
     given = words.parse_args()
     random = np.random.default_rng(7)
     points, cells = ball(given.size)
-    corners, four, three = walls()
+    corners, four = walls()
     with open(given.out, "w") as out:
         put = lambda line: out.write(line + "\n")
         put("*HEADING\nRubber balls poured over a pyramid into a box: general contact with friction (mm, t, s, N)")
@@ -90,12 +107,9 @@ def main():
         put("*ELEMENT, TYPE=R3D4, ELSET=BOX")
         for e, facet in enumerate(four):
             put(f"{e + 1}, " + ", ".join(str(i + 1) for i in facet))
-        put("*ELEMENT, TYPE=R3D3, ELSET=PYRAMID")
-        for e, facet in enumerate(three):
-            put(f"{len(four) + e + 1}, " + ", ".join(str(i + 1) for i in facet))
-        put("*ELSET, ELSET=WALLS\nBOX, PYRAMID")
-        put(f"*RIGID BODY, REF NODE={reference}, ELSET=WALLS")
-        first, element, count = reference + 1, len(four) + len(three) + 1, 0
+        put(f"*RIGID BODY, REF NODE={reference}, ELSET=BOX")
+        first, element, count = reference + 1, len(four) + 1, 0
+        first, element = block(put, first, element)
         for centre in centres(given.layers, random):
             placed = points @ rotation(random).T + centre
             put("*NODE, NSET=BALLS")
@@ -106,10 +120,10 @@ def main():
                 put(f"{element + i}, " + ", ".join(str(first + n) for n in cell))
             first, element, count = first + len(points), element + len(cells), count + 1
         put("*MATERIAL, NAME=RUBBER\n*ELASTIC\n1.0, 0.4\n*DENSITY\n1.0e-9")
-        put("*SOLID SECTION, ELSET=BALLS, MATERIAL=RUBBER")
+        put("*SOLID SECTION, ELSET=BALLS, MATERIAL=RUBBER\n*SOLID SECTION, ELSET=BLOCK, MATERIAL=RUBBER")
         put("*SURFACE INTERACTION, NAME=RUBBING\n*FRICTION\n0.4")
         put("*CONTACT DAMPING, DEFINITION=CRITICAL DAMPING FRACTION\n0.1")
-        put("*BOUNDARY\nREF, 1, 6")
+        put("*BOUNDARY\nREF, 1, 6\nBASE, 1, 3")
         put("*INITIAL CONDITIONS, TYPE=VELOCITY\nBALLS, 3, -500.")
         put("*STEP")
         put(f"*DYNAMIC, EXPLICIT\n, {given.time}\n*BULK VISCOSITY\n0.06, 1.2")

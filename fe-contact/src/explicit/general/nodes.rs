@@ -209,12 +209,18 @@ fn nearest<'c>(scene: &Scene, node: u32, same: &'c mut [Candidate], closed: &[&T
     let x = scene.x(node);
     let mut best: Option<(usize, Foot, f64)> = None;
     let mut clear = f64::INFINITY;
+    let mut past = Vec::new();
     for (place, candidate) in same.iter_mut().enumerate() {
         let face = &faces[candidate.face as usize];
         let foot = Foot::on_face(&face.corners.map(|i| scene.x(i)), face.count, &x);
         let around = !foot.is_within && face.is_on_perimeter(&foot.weights);
-        if around && face.sides == Sides::Both {
-            candidate.side = if foot.gap < 0.0 { -1.0 } else { 1.0 };
+        let is_touched = closed.iter().any(|touch| touches_neighbour(faces, touch.second, candidate.face));
+        if face.sides == Sides::Both && !foot.is_within {
+            let side = if foot.gap < 0.0 { -1.0 } else { 1.0 };
+            if around {
+                candidate.side = side;
+            }
+            past.push((place, side));
         }
         let gap = candidate.side * foot.gap;
         clear = clear.min(gap.abs());
@@ -223,18 +229,23 @@ fn nearest<'c>(scene: &Scene, node: u32, same: &'c mut [Candidate], closed: &[&T
             && gap > -DEEPEST * face.size
             && scene.surface.nodes[node as usize].component != face.component;
         let was = candidate.was_outside && scene.look == Look::Again;
-        let neighbour = |touch: &&Touch| touches_neighbour(faces, touch.second, candidate.face);
         let is_behind = gap < 0.0;
-        let may =
-            !is_behind || overlaps || (!around && gap > -DEEPEST * face.size && (was || closed.iter().any(neighbour)));
+        let may = !is_behind || overlaps || (!around && gap > -DEEPEST * face.size && (was || is_touched));
         candidate.was_outside = was || !is_behind || overlaps;
+        // Of faces that share the nearest point one that sees the node from outside is right: it is past a ridge of the others.
         let better = |(_, other, least): &(usize, Foot, f64)| {
             let tie = 1e-9 * face.size;
-            gap.abs() < least.abs() - tie || (gap.abs() < least.abs() + tie && foot.facing > other.facing)
+            let alike = (gap.abs() - least.abs()).abs() <= tie;
+            let outside = (gap >= 0.0, foot.facing) > (*least >= 0.0, other.facing);
+            if alike { outside } else { gap.abs() < least.abs() }
         };
         if may && best.as_ref().is_none_or(better) {
             best = Some((place, foot, gap));
         }
+    }
+    // Past an edge of a sheet a node that is outside may come to the other side.
+    if best.as_ref().is_some_and(|(_, _, gap)| *gap >= 0.0) {
+        past.into_iter().for_each(|(place, side)| same[place].side = side);
     }
     (best.map(|(place, foot, gap)| Nearest { candidate: &same[place], foot, gap }), clear)
 }
