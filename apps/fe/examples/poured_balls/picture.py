@@ -1,6 +1,6 @@
 """Draws the poured balls at three moments: each ball in a colour of its own, in true scale.
 
-    picture.py RESULTS.vtkhdf OUT.png [--at 0.2 0.45 1.0]
+    picture.py RESULTS.vtkhdf OUT.png [--at 0.35 0.65 1.0]
 
 The moments are parts of the frames of the file.
 """
@@ -79,7 +79,7 @@ def main():
     words = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     words.add_argument("results")
     words.add_argument("out")
-    words.add_argument("--at", type=float, nargs=3, default=[0.2, 0.45, 1.0])
+    words.add_argument("--at", type=float, nargs=3, default=[0.35, 0.65, 1.0])
     given = words.parse_args()
     window = vtk.vtkRenderWindow()
     window.SetOffScreenRendering(1)
@@ -103,7 +103,7 @@ def main():
         wall, mapper = actor(walls)
         mapper.ScalarVisibilityOff()
         wall.GetProperty().SetColor(0.55, 0.60, 0.66)
-        wall.GetProperty().SetOpacity(0.16)
+        wall.GetProperty().SetOpacity(0.25)
         wall.GetProperty().EdgeVisibilityOn()
         wall.GetProperty().SetEdgeColor(0.25, 0.28, 0.32)
         view.AddActor(ball)
@@ -119,10 +119,8 @@ def main():
         camera.SetPosition(330.0, -480.0, 300.0)
         camera.SetViewUp(0.0, 0.0, 1.0)
         camera.SetViewAngle(27.0)
-        view.SetUseDepthPeeling(1)
         view.ResetCameraClippingRange()
         window.AddRenderer(view)
-    window.SetAlphaBitPlanes(1)
     window.Render()
     grab = vtk.vtkWindowToImageFilter()
     grab.SetInput(window)
