@@ -33,7 +33,7 @@ fn rows(job: &Job, name: &str, columns: usize) -> Vec<(f64, Vec<f64>)> {
 }
 
 /// Columns of the energies.
-const ENERGIES: usize = 11;
+const ENERGIES: usize = 12;
 const DISSIPATED: usize = 5;
 
 /// `*BULK VISCOSITY` of a later step holds from there on: with none nothing more is dissipated, and the same before it.

@@ -5,6 +5,7 @@
 //! point, and none of any rigid motion (Simo, Comput. Methods Appl. Mech. Engng 49 (1985) 55; Crisfield, Jelenić, Proc. R. Soc.
 //! Lond. A 455 (1999) 1125). Forces and moments are the derivatives of the energy ½ L (Γ·N + ψ/L·M).
 
+use super::mass_scaling::raised;
 use super::{Advance, Moving};
 use crate::element::ElementType;
 use crate::freedoms::Freedoms;
@@ -51,6 +52,10 @@ struct Element {
     /// Half of its mass [M], and the moment of inertia of each node [M L²].
     mass: f64,
     inertia: f64,
+    /// Factor on both.
+    factor: f64,
+    /// Stable increment [T] by itself, without the factor.
+    stable: f64,
     /// Highest frequency [1/T] of the straight element.
     omega: f64,
     /// Strains Γ and ψ/L at the end of the last increment, and forces and moments of viscosity then.
@@ -105,6 +110,8 @@ impl Beams {
                     length,
                     mass,
                     inertia,
+                    factor: 1.0,
+                    stable: f64::INFINITY,
                     omega,
                     strains: [Vec3::zeros(); 2],
                     viscous: [Vec3::zeros(); 2],
@@ -120,11 +127,19 @@ impl Beams {
     }
 
     pub fn add_mass(&self, mass: &mut [f64]) {
-        self.elements.iter().for_each(|element| element.add(mass, 1.0));
+        self.elements.iter().for_each(|element| element.add(mass, element.factor));
     }
 
     pub fn add_mass_damping(&self, damping: &mut [f64]) {
         self.elements.iter().for_each(|element| element.add(damping, self.moduli[element.moduli].damping.alpha));
+    }
+
+    pub fn scale(&mut self, factor: &dyn Fn(CellId) -> f64) {
+        self.elements.iter_mut().for_each(|element| element.factor = factor(element.cell));
+    }
+
+    pub fn increments(&self) -> impl Iterator<Item = (CellId, f64)> + '_ {
+        self.elements.iter().map(|element| (element.cell, element.stable))
     }
 
     /// Moves on to the end of an increment; `viscosity` is the linear bulk viscosity [-].
@@ -132,7 +147,8 @@ impl Beams {
         let mut advance = Advance::default();
         for element in &mut self.elements {
             let moduli = &self.moduli[element.moduli];
-            let (stable, [stored, dissipated]) = element.advance((moduli, viscosity), at, forces);
+            let [stored, dissipated] = element.advance((moduli, viscosity), at, forces);
+            let stable = raised(element.stable, element.factor, viscosity);
             if stable < advance.stable {
                 (advance.stable, advance.element) = (stable, Some(element.cell));
             }
@@ -172,8 +188,8 @@ impl Element {
         Bent { stretch: axes.tr_mul(&line) / self.length, axes, bend }
     }
 
-    /// Stable increment [T], and energies [F L] stored and dissipated.
-    fn advance(&mut self, (moduli, xi): (&Moduli, f64), at: &Moving, forces: &mut [f64]) -> (f64, [f64; 2]) {
+    /// Energies [F L] stored and dissipated.
+    fn advance(&mut self, (moduli, xi): (&Moduli, f64), at: &Moving, forces: &mut [f64]) -> [f64; 2] {
         let bent = self.bent(at.u);
         let strains = [bent.stretch - Vec3::x(), bent.bend / self.length];
         let elastic = |of: [Vec3; 2]| [moduli.forces.component_mul(&of[0]), moduli.moments * of[1]];
@@ -195,7 +211,8 @@ impl Element {
         // Forces turn with the element: what that adds is to the moduli as the strains are to 1.
         let omega = self.omega * (1.0 + strains[0].norm() + bent.bend.norm_squared()).sqrt();
         let xi = xi + 0.5 * moduli.damping.beta * omega;
-        (2.0 / omega * ((1.0 + xi * xi).sqrt() - xi), [stored, dissipated])
+        self.stable = 2.0 / omega * ((1.0 + xi * xi).sqrt() - xi);
+        [stored, dissipated]
     }
 
     /// Adds what N and M, in the axes of the middle, do to the nodes.

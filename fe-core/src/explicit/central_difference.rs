@@ -77,27 +77,34 @@ impl CentralDifference {
         (period, most): (f64, f64),
         state: &mut State,
     ) -> Result<Self, Halt> {
-        let mut mass = vec![0.0; state.u.len()];
-        terms.iter().for_each(|term| term.add_mass(&mut mass));
-        let mut is_prescribed = vec![false; mass.len()];
+        let mut is_prescribed = vec![false; state.u.len()];
         supports.iter().for_each(|support| is_prescribed[support.freedom] = true);
-        let rotary: Vec<_> = terms.iter().flat_map(|term| term.rotary().iter().copied()).collect();
-        let mut triads = Vec::with_capacity(state.rotations.len());
-        for &first in &state.rotations {
-            let tensors = rotary.iter().filter(|tensor| tensor.0 == first).map(|tensor| tensor.1);
-            let mut triad = Triad::new(first, &state.u, tensors);
-            triad.weigh(&mut mass, &is_prescribed)?;
-            triads.push(triad);
-        }
-        terms.iter_mut().for_each(|term| term.weigh(&mass));
-        if let Some(freedom) = (0..mass.len()).find(|&f| mass[f] <= 0.0 && !is_prescribed[f]) {
-            return Err(Halt::Massless { freedom });
-        }
+        let (mass, triads) = weigh(terms, state, &is_prescribed)?;
         state.step_time = 0.0;
         let at =
             Moving { u: &state.u, v: &state.v, step_time: 0.0, total_time: state.total_time, dt: 0.0, stable: most };
         let advance = act(terms, &at, &mut state.force)?;
         Ok(CentralDifference { mass, triads, supports, is_prescribed, period, advance })
+    }
+
+    /// Goes on with other masses of the terms, with which the elements are stable up to another increment [T]. Velocities stay: what
+    /// the motion gains by it counts as work of supports.
+    ///
+    /// # Errors
+    /// Where a freedom has lost its mass.
+    pub fn weigh(&mut self, terms: &mut Terms, state: &mut State, stable: f64) -> Result<(), Halt> {
+        let before = self.conserved(state);
+        let turned: Vec<_> = self.triads.iter().map(|triad| triad.counted()).collect();
+        (self.mass, self.triads) = weigh(terms, state, &self.is_prescribed)?;
+        self.triads.iter_mut().zip(turned).for_each(|(triad, turned)| triad.count(turned));
+        state.work += self.conserved(state) - before;
+        self.advance.stable = stable;
+        Ok(())
+    }
+
+    /// Masses of all freedoms [M or M L²].
+    pub fn mass(&self) -> &[f64] {
+        &self.mass
     }
 
     /// What the terms say of the largest stable increment at present.
@@ -219,6 +226,25 @@ impl CentralDifference {
             velocity[triad.first..triad.first + 3].copy_from_slice(omega.as_slice());
         }
         velocity
+    }
+}
+
+/// Masses of all freedoms, and the nodes that turn in space; the terms are told.
+fn weigh(terms: &mut Terms, state: &State, is_prescribed: &[bool]) -> Result<(Vec<f64>, Vec<Triad>), Halt> {
+    let mut mass = vec![0.0; state.u.len()];
+    terms.iter().for_each(|term| term.add_mass(&mut mass));
+    let rotary: Vec<_> = terms.iter().flat_map(|term| term.rotary().iter().copied()).collect();
+    let mut triads = Vec::with_capacity(state.rotations.len());
+    for &first in &state.rotations {
+        let tensors = rotary.iter().filter(|tensor| tensor.0 == first).map(|tensor| tensor.1);
+        let mut triad = Triad::new(first, &state.u, tensors);
+        triad.weigh(&mut mass, is_prescribed)?;
+        triads.push(triad);
+    }
+    terms.iter_mut().for_each(|term| term.weigh(&mass));
+    match (0..mass.len()).find(|&f| mass[f] <= 0.0 && !is_prescribed[f]) {
+        Some(freedom) => Err(Halt::Massless { freedom }),
+        None => Ok((mass, triads)),
     }
 }
 

@@ -2,6 +2,7 @@
 //! masses and rotary inertias of nodes.
 
 use super::beam::Beams;
+use super::mass_scaling::raised;
 use super::rotation::Rotary;
 use super::{Advance, ExplicitTerm, Halt, Moving};
 use crate::element::{ElementType, Family};
@@ -37,8 +38,11 @@ struct Element {
     reach: Reach,
     /// Length at the start [L]; 1 where it acts on fixed freedoms.
     length: f64,
-    /// Half of its mass [M].
+    /// Half of its mass [M], and the factor on it.
     mass: f64,
+    factor: f64,
+    /// Stable increment [T] by itself, without the factor.
+    stable: f64,
     /// Damping of its material.
     damping: Damping,
     /// Length or elongation [L] at the end of the last increment.
@@ -83,7 +87,18 @@ impl Lines {
                 let (reach, length) = line(cell);
                 let (answer, mass) = (Answer::Truss(section.young * area), 0.5 * density * area * length);
                 let damping = section.damping;
-                elements.push(Element { cell, answer, reach, length, mass, damping, now: length, viscous: 0.0 });
+                elements.push(Element {
+                    cell,
+                    answer,
+                    reach,
+                    length,
+                    mass,
+                    factor: 1.0,
+                    stable: f64::INFINITY,
+                    damping,
+                    now: length,
+                    viscous: 0.0,
+                });
             }
         }
         for section in &structure.discrete {
@@ -111,7 +126,18 @@ impl Lines {
                 };
                 let now = if matches!(reach, Reach::Line { .. }) { length } else { 0.0 };
                 let damping = Damping::default();
-                elements.push(Element { cell, answer, reach, length, mass: 0.0, damping, now, viscous: 0.0 });
+                elements.push(Element {
+                    cell,
+                    answer,
+                    reach,
+                    length,
+                    mass: 0.0,
+                    factor: 1.0,
+                    stable: f64::INFINITY,
+                    damping,
+                    now,
+                    viscous: 0.0,
+                });
             }
         }
         let mut rotary = Vec::new();
@@ -131,6 +157,19 @@ impl Lines {
     /// From now on with another linear bulk viscosity [-].
     pub fn damp(&mut self, viscosity: f64) {
         self.viscosity = viscosity;
+    }
+
+    /// From now on with so many times its mass in each truss and beam.
+    pub fn scale(&mut self, factor: &dyn Fn(CellId) -> f64) {
+        let heavy = self.elements.iter_mut().filter(|element| element.mass > 0.0);
+        heavy.for_each(|element| element.factor = factor(element.cell));
+        self.beams.scale(factor);
+    }
+
+    /// Stable increments [T] that trusses and beams have by themselves, without their factors, as of the last increment.
+    pub fn increments(&self) -> impl Iterator<Item = (CellId, f64)> + '_ {
+        let heavy = self.elements.iter().filter(|element| element.mass > 0.0);
+        heavy.map(|element| (element.cell, element.stable)).chain(self.beams.increments())
     }
 
     /// Energy [F L] that springs, trusses and beams hold, and that dashpots and bulk viscosity have dissipated.
@@ -183,7 +222,7 @@ impl ExplicitTerm for Lines {
 
     fn add_mass(&self, mass: &mut [f64]) {
         for element in self.elements.iter().filter(|element| element.mass > 0.0) {
-            element.freedoms().for_each(|f| mass[f] += element.mass);
+            element.freedoms().for_each(|f| mass[f] += element.factor * element.mass);
         }
         self.beams.add_mass(mass);
         self.masses.iter().for_each(|&(f, m)| mass[f] += m);
@@ -229,7 +268,8 @@ impl ExplicitTerm for Lines {
                     let beta = element.damping.beta;
                     // Of critical: bulk viscosity, and ½ β ω.
                     let xi = self.viscosity + beta / free;
-                    let stable = free * ((1.0 + xi * xi).sqrt() - xi);
+                    element.stable = free * ((1.0 + xi * xi).sqrt() - xi);
+                    let stable = raised(element.stable, element.factor, self.viscosity);
                     if stable < advance.stable {
                         (advance.stable, advance.element) = (stable, Some(element.cell));
                     }

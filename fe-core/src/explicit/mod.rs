@@ -5,6 +5,7 @@ pub mod central_difference;
 pub mod line;
 pub mod loads;
 pub mod mass_damping;
+pub mod mass_scaling;
 pub mod rotation;
 pub mod solid;
 

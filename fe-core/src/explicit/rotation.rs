@@ -107,6 +107,16 @@ impl Triad {
         self.turned[component]
     }
 
+    /// What the node has turned by for supports, all axes.
+    pub fn counted(&self) -> Vec3 {
+        self.turned
+    }
+
+    /// Goes on from there.
+    pub fn count(&mut self, turned: Vec3) {
+        self.turned = turned;
+    }
+
     /// Remembers what an increment begins with, after one of length `dt`.
     pub fn begin(&mut self, v: &[f64], dt: f64) {
         let omega = three(v, self.first);

@@ -113,7 +113,7 @@ pub const ENERGY_OUTPUT: Keyword = Keyword {
     ],
     data: Data::Lines(&[DataLine::many(&[Field::word(
         "energy",
-        "ALLKE, ALLSE, ALLPD, ALLAE, ALLIE, ALLVD, ALLFD, ALLCW (contact), ALLWK, ETOTAL",
+        "ALLKE, ALLSE, ALLPD, ALLAE, ALLIE, ALLVD, ALLFD, ALLCW (contact), ALLWK, DMASS (mass that scaling has added, %), ETOTAL",
     )
     .repeats()])]),
     source: "Abaqus Keywords Reference, *ENERGY OUTPUT",

@@ -11,7 +11,8 @@ use crate::model::{Frames, History, HistoryOfSet, HistoryRequest};
 /// Numbers that a row may hold: the names of the columns stand in the header of the array.
 const MOST_COLUMNS: usize = 2000;
 
-const ENERGIES: &[&str] = &["ALLKE", "ALLSE", "ALLPD", "ALLAE", "ALLIE", "ALLVD", "ALLFD", "ALLCW", "ALLWK", "ETOTAL"];
+const ENERGIES: &[&str] =
+    &["ALLKE", "ALLSE", "ALLPD", "ALLAE", "ALLIE", "ALLVD", "ALLFD", "ALLCW", "ALLWK", "DMASS", "ETOTAL"];
 const RESULTANTS: &[&str] = &["CFN", "CFS", "CFT", "CMT", "CAREA"];
 const NODAL: &[&str] = &["U", "U1", "U2", "U3", "V", "V1", "V2", "V3", "RF", "RF1", "RF2", "RF3"];
 const OF_ELEMENTS: &[&str] = &["S", "S11", "S22", "S33", "S12", "S23", "S13", "MISES", "PEEQ"];

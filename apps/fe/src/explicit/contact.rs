@@ -50,9 +50,6 @@ pub fn refuse_the_rest(model: &Model, step: &Step) -> Result<(), JobFailure> {
             return refuse(&step.place, &what, "leave it out");
         }
     }
-    if !step.mass_scaling.is_empty() {
-        return refuse(&step.place, "mass scaling is", "leave *FIXED MASS SCALING and *VARIABLE MASS SCALING out");
-    }
     for active in &step.explicit_pairs {
         let (pair, place) = &model.explicit_pairs[active.pair];
         let interaction = active.interaction.map(|i| &model.interactions[i]);

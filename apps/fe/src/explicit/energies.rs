@@ -29,11 +29,13 @@ pub struct Balance {
     pub initial: f64,
     /// Largest sum of energies so far.
     pub largest: f64,
+    /// DMASS: what mass scaling has added [%].
+    pub added_mass: f64,
 }
 
 /// Columns of the history of energies.
-pub const COLUMNS: [&str; 11] =
-    ["ALLKE", "ALLSE", "ALLPD", "ALLAE", "ALLIE", "ALLVD", "ALLFD", "ALLCW", "ALLWK", "ETOTAL", "increment"];
+pub const COLUMNS: [&str; 12] =
+    ["ALLKE", "ALLSE", "ALLPD", "ALLAE", "ALLIE", "ALLVD", "ALLFD", "ALLCW", "ALLWK", "DMASS", "ETOTAL", "increment"];
 
 impl Balance {
     /// ALLIE: all that is in the elements.
@@ -57,11 +59,13 @@ impl Balance {
     }
 
     /// Numbers in the order of the history of energies, `increment` the length of the last one [T].
-    pub fn row(&self, increment: f64) -> [f64; 11] {
+    pub fn row(&self, increment: f64) -> [f64; 12] {
         let (b, internal, total) = (self, self.internal(), self.total());
         let inside = [b.kinetic, b.strain, b.plastic, b.artificial, internal];
         let [kinetic, strain, plastic, artificial, internal] = inside;
-        [kinetic, strain, plastic, artificial, internal, b.viscous, b.friction, b.contact, b.work, total, increment]
+        let outside = [b.viscous, b.friction, b.contact, b.work, b.added_mass, total, increment];
+        let [viscous, friction, contact, work, added, total, increment] = outside;
+        [kinetic, strain, plastic, artificial, internal, viscous, friction, contact, work, added, total, increment]
     }
 }
 
@@ -89,6 +93,7 @@ impl Energies {
             friction,
             contact,
             work: state.work - scene.loads.stored(),
+            added_mass: scene.added_mass(procedure.mass()),
             ..Balance::default()
         };
         let sum = balance.sum();

@@ -4,6 +4,7 @@ mod contact;
 mod contact_states;
 mod energies;
 mod general;
+mod mass_scaling;
 mod plan;
 mod record;
 mod scene;
@@ -131,15 +132,28 @@ fn begin(
 ) -> Result<Begun, JobFailure> {
     let explicit = explicit(step).expect("all steps are explicit");
     let support = |(freedom, kind, course)| Support { freedom, kind, course };
-    let (supports, fixed) = (course.moved().map(support).collect(), course.fixed(state.u.len()));
+    let supports: Vec<Support> = course.moved().map(support).collect();
+    let fixed = course.fixed(state.u.len());
     let most = match explicit.increment {
         IncrementChoice::Fixed(dt) => dt,
         _ => explicit.largest.unwrap_or(f64::INFINITY),
     };
-    let procedure = CentralDifference::new(&mut scene.terms(), supports, (explicit.period, most), state)
-        .map_err(|halt| failure((number, 0.0), in_words(scene, &halt)))?;
+    let times = (explicit.period, most);
+    let failed = |scene: &Scene, halt: Halt| failure((number, 0.0), in_words(scene, &halt));
+    let mut procedure = CentralDifference::new(&mut scene.terms(), supports.clone(), times, state)
+        .map_err(|halt| failed(scene, halt))?;
+    if let Some(stable) = mass_scaling::begin(scene, step, explicit.bulk_viscosity[0]) {
+        let worked = state.work;
+        procedure.weigh(&mut scene.terms(), state, stable).map_err(|halt| failed(scene, halt))?;
+        if number == 1 {
+            // The job begins with these masses.
+            state.work = worked;
+        }
+        procedure =
+            CentralDifference::new(&mut scene.terms(), supports, times, state).map_err(|halt| failed(scene, halt))?;
+    }
     let prescribed = fixed.iter().filter(|fixed| **fixed).count();
-    let plan = plan::plan(scene, step, prescribed, &procedure.stable());
+    let plan = plan::plan(scene, step, prescribed, &procedure);
     Ok(Begun { procedure, fixed, plan })
 }
 
@@ -202,6 +216,12 @@ impl Run<'_> {
             }
             turn.times[1] = self.state.step_time;
             self.certificate.increments += 1;
+            if mass_scaling::is_due(step, &turn) {
+                let stable = mass_scaling::again(self.scene, step, explicit.bulk_viscosity[0]);
+                procedure
+                    .weigh(&mut self.scene.terms(), self.state, stable)
+                    .map_err(|halt| failure((number, self.state.step_time), in_words(self.scene, &halt)))?;
+            }
             let at = moment((model, self.scene), self.state, &procedure, &fixed);
             let Left { balance, has_frame } = self.record.increment(at, &turn, &step.output)?;
             let Some(balance) = balance else { continue };

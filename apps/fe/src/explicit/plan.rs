@@ -6,12 +6,12 @@ use crate::number::scientific;
 use crate::plan::Plan;
 use fe_contact::explicit::{Adjusted, GeneralContact};
 use fe_core::element::Family;
-use fe_core::explicit::Advance;
+use fe_core::explicit::central_difference::CentralDifference;
 use fe_core::step::{Explicit, IncrementChoice};
 use fe_io::model::Step;
 
-/// The plan of a step with so many prescribed freedoms, of whose first increment its terms say what `advance` holds.
-pub fn plan(scene: &Scene, step: &Step, prescribed: usize, advance: &Advance) -> Plan {
+/// The plan of a step with so many prescribed freedoms, that its procedure begins.
+pub fn plan(scene: &Scene, step: &Step, prescribed: usize, procedure: &CentralDifference) -> Plan {
     let structure = &scene.structure;
     let unknowns = scene.freedoms.len() - prescribed;
     let step_contact = &step.general_contact;
@@ -45,6 +45,15 @@ pub fn plan(scene: &Scene, step: &Step, prescribed: usize, advance: &Advance) ->
         ));
     }
     needs.push(("unknowns".into(), format!("{unknowns}, and {prescribed} prescribed freedoms; masses are lumped")));
+    if let (count @ 1.., most) = scene.factors.raised() {
+        let added = scientific(scene.added_mass(procedure.mass()), 6);
+        let largest = scientific(most, 6);
+        needs.push((
+            "mass scaling".into(),
+            format!("{count} elements, by up to {largest}: all mass changes by {added} %"),
+        ));
+    }
+    let advance = procedure.stable();
     let by = advance.element.map_or(String::new(), |cell| format!(", by element {}", structure.mesh.cell_name(cell)));
     needs.push(("stable".into(), format!("{} at the start{by}", scientific(advance.increment(), 6))));
     for pair in scene.contacts() {
@@ -99,7 +108,11 @@ fn general_in_words(general: &GeneralContact) -> String {
 fn in_words(step: &Explicit) -> String {
     let increments = match step.increment {
         IncrementChoice::Fixed(dt) => format!("increments of {}", scientific(dt, 6)),
-        IncrementChoice::Global | IncrementChoice::ElementByElement => {
+        IncrementChoice::Global => {
+            let global = "the frequency of the whole model is not estimated";
+            format!("increments of {:.3} of the stable one, element by element: {global}", step.scale)
+        }
+        IncrementChoice::ElementByElement => {
             format!("increments of {:.3} of the stable one, element by element", step.scale)
         }
     };

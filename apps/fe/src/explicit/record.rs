@@ -36,7 +36,8 @@ impl Turn {
     /// Before the first step: everything is stored.
     pub const START: Turn = Turn { step: 0, increment: 0, times: [0.0; 2], period: 0.0 };
 
-    fn is_due(&self, when: &Frames) -> bool {
+    /// True when something is stored or done after it.
+    pub fn is_due(&self, when: &Frames) -> bool {
         when.hold(self.increment, self.times, self.period)
     }
 }

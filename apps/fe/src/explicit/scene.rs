@@ -1,5 +1,6 @@
 //! From a model to what acts in explicit steps.
 
+use super::mass_scaling::{self, Factors};
 use super::{contact, explicit, general};
 use crate::course::Course;
 use crate::job::JobFailure;
@@ -19,6 +20,7 @@ use fe_core::step::Explicit;
 use fe_core::structure::{LineSection, Structure};
 use fe_io::Model;
 use fe_io::model::{ActivePair, Step};
+use fe_mesh::CellId;
 use std::sync::Arc;
 
 /// What general contact is made of: what the deck says of it, and the pairs that act beside it.
@@ -48,6 +50,10 @@ pub struct Scene {
     left: [f64; 2],
     /// Rigid bodies with the nodes that follow them.
     pub followers: Vec<RigidFollower>,
+    /// Factors on the masses of elements.
+    pub factors: Factors,
+    /// Masses of all translations, added up [M], without these factors.
+    unscaled: f64,
 }
 
 impl Scene {
@@ -68,8 +74,25 @@ impl Scene {
         let damping = MassDamping::new(&damping);
         let loads = Loads::new(ExternalForces::default(), 1.0);
         let (pairs, left) = (Vec::new(), [0.0; 2]);
-        let general = None;
-        Ok(Scene { structure, freedoms, solids, lines, damping, loads, pairs, general, adjusted, left, followers })
+        let mut mass = vec![0.0; freedoms.len()];
+        solids.iter().for_each(|solids| solids.add_mass(&mut mass));
+        lines.iter().for_each(|lines| lines.add_mass(&mut mass));
+        let unscaled = translating(&freedoms, &mass);
+        Ok(Scene {
+            structure,
+            freedoms,
+            solids,
+            lines,
+            damping,
+            loads,
+            pairs,
+            general: None,
+            adjusted,
+            left,
+            followers,
+            factors: Factors::default(),
+            unscaled,
+        })
     }
 
     /// Enters a step whose loads are in `course`.
@@ -80,6 +103,7 @@ impl Scene {
         let viscosity = explicit(step).expect("all steps are explicit").bulk_viscosity;
         self.solids.iter_mut().for_each(|solids| solids.damp(viscosity));
         self.lines.iter_mut().for_each(|lines| lines.damp(viscosity[0]));
+        self.solids.iter_mut().for_each(|solids| solids.measure(mass_scaling::aims(step)));
         let worked = self.loads.stored();
         self.loads = Loads::new(external, step.procedure.period()).after(worked);
         // What acts as before goes on with its state.
@@ -135,6 +159,21 @@ impl Scene {
         [all - rubbed, rubbed]
     }
 
+    /// Stable increments [T] of the elements by themselves, without factors on their masses, where the step asks for them.
+    pub fn increments(&self) -> impl Iterator<Item = (CellId, f64)> + '_ {
+        let solids = self.solids.iter().flat_map(|solids| solids.increments());
+        solids.chain(self.lines.iter().flat_map(|lines| lines.increments()))
+    }
+
+    /// DMASS: what the factors on masses have added to all mass [%].
+    pub fn added_mass(&self, mass: &[f64]) -> f64 {
+        if self.factors.raised().0 == 0 {
+            0.0
+        } else {
+            100.0 * (translating(&self.freedoms, mass) / self.unscaled - 1.0)
+        }
+    }
+
     /// All terms: elements, loads, then contact.
     pub fn terms(&mut self) -> Vec<&mut dyn ExplicitTerm> {
         let mut terms: Vec<&mut dyn ExplicitTerm> = Vec::new();
@@ -146,6 +185,11 @@ impl Scene {
         terms.extend(self.general.as_mut().map(|(_, general)| general as &mut dyn ExplicitTerm));
         terms
     }
+}
+
+/// Masses of all translations, added up [M].
+fn translating(freedoms: &Freedoms, mass: &[f64]) -> f64 {
+    (0..mass.len()).filter(|&f| freedoms.component(f) < 3).map(|f| mass[f]).sum()
 }
 
 /// The solids of each section; elements that explicit steps do not have are refused by name.

@@ -58,8 +58,8 @@ fn info(of: &History, name: String, mesh: &Mesh) -> HistoryInfo {
         History::Energies => HistoryInfo {
             name,
             columns: COLUMNS.map(str::to_owned).to_vec(),
-            units: COLUMNS.map(|name| if name == "increment" { "T" } else { "F L" }.to_owned()).to_vec(),
-            meaning: "energies, and the length of the last increment".into(),
+            units: COLUMNS.map(|name| unit(name).to_owned()).to_vec(),
+            meaning: "energies, what mass scaling has added to all mass, and the length of the last increment".into(),
         },
         History::Nodes(of) => {
             let nodes = mesh.node_sets.get(&of.set).map_or(&[][..], Vec::as_slice);
@@ -69,6 +69,14 @@ fn info(of: &History, name: String, mesh: &Mesh) -> HistoryInfo {
             let cells = mesh.cell_sets.get(&of.set).map_or(&[][..], Vec::as_slice);
             of_set(name, of, cells.iter().map(|&cell| mesh.cell_name(cell)))
         }
+    }
+}
+
+fn unit(column: &str) -> &'static str {
+    match column {
+        "increment" => "T",
+        "DMASS" => "%",
+        _ => "F L",
     }
 }
 

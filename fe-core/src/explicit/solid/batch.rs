@@ -3,6 +3,7 @@
 use super::response::Answer;
 use super::shape::Vector;
 use super::{Energies, Hourglass};
+use crate::explicit::mass_scaling::raised;
 use crate::lanes::{LANES, Lanes};
 
 /// A node of a chunk: place x₁ [L] at the end of the increment and displacement Δu [L] in it.
@@ -36,6 +37,10 @@ pub(super) struct Run<'a> {
     pub places: &'a [Place],
     /// Where the nodes were at the start.
     pub reference: &'a [[f64; 3]],
+    /// Factors on the masses of the elements, where they are scaled.
+    pub factors: Option<&'a [f64]>,
+    /// Stable increments [T] of the elements by themselves, where they are asked for.
+    pub increments: Option<&'a mut [f64]>,
     /// Internal forces [F] on the local nodes, to which those of the elements are added.
     pub forces: &'a mut [[f64; 4]],
 }
@@ -92,7 +97,7 @@ pub(super) fn all<const N: usize>(
     state: std::slice::ChunksExactMut<Lanes>,
     advance: impl Fn([&[Vector; N]; 3], &mut [Lanes]) -> Batch<N>,
 ) -> Outcome {
-    let Run { common, count, places, reference, forces, .. } = run;
+    let Run { common, count, places, reference, factors, mut increments, forces, .. } = run;
     let mut sums = [Lanes::ZERO; 4];
     let mut outcome = Outcome { energies: Energies::default(), stable: (f64::INFINITY, 0), inverted: None };
     let mut start = [[Lanes::ZERO; 3]; N];
@@ -109,8 +114,11 @@ pub(super) fn all<const N: usize>(
             }
         }
         for lane in 0..real {
-            if batch.stable.0[lane] < outcome.stable.0 {
-                outcome.stable = (batch.stable.0[lane], b * LANES + lane);
+            let (element, own) = (b * LANES + lane, batch.stable.0[lane]);
+            increments.iter_mut().for_each(|increments| increments[element] = own);
+            let stable = factors.map_or(own, |factors| raised(own, factors[element], common.viscosity[0]));
+            if stable < outcome.stable.0 {
+                outcome.stable = (stable, element);
             }
             let volume = batch.volume.0[lane];
             if (volume <= 0.0 || volume.is_nan()) && outcome.inverted.is_none() {

@@ -15,8 +15,9 @@ use std::fmt::Debug;
 
 /// The elements of a chunk.
 pub(super) trait Elements: Debug + Send + Sync {
-    /// Finds masses, of so many elements with nodes that are at `reference`, and adds those of the nodes.
-    fn weigh(&mut self, common: &Common, of: (usize, &[[f64; 3]]), masses: &mut [f64]);
+    /// Finds masses, of so many elements with nodes that are at `reference`, and adds those of the nodes, times a factor of each
+    /// element.
+    fn weigh(&mut self, common: &Common, of: (usize, &[[f64; 3]]), factor: &dyn Fn(usize) -> f64, masses: &mut [f64]);
 
     /// Moves them on.
     fn advance(&mut self, run: Run) -> Outcome;
@@ -65,6 +66,10 @@ pub(super) struct Chunk {
     nodes: Vec<u32>,
     reference: Vec<[f64; 3]>,
     masses: Vec<f64>,
+    /// Factors on the elements' masses, where they are scaled; their stable increments [T] by themselves, where they are asked
+    /// for.
+    factors: Option<Vec<f64>>,
+    increments: Option<Vec<f64>>,
     places: Vec<Place>,
     forces: Vec<[f64; 4]>,
 }
@@ -97,14 +102,47 @@ impl Chunk {
             panic!("{} is no element of explicit steps", element.name());
         };
         let mut masses = vec![0.0; nodes.len()];
-        elements.weigh(&common, (cells.len(), &reference), &mut masses);
+        elements.weigh(&common, (cells.len(), &reference), &|_| 1.0, &mut masses);
         let (places, forces) = (vec![Place::default(); nodes.len()], vec![[0.0; 4]; nodes.len()]);
-        Chunk { common, alpha, cells: cells.to_vec(), elements, dimension, nodes, reference, masses, places, forces }
+        let (factors, increments, cells) = (None, None, cells.to_vec());
+        Chunk {
+            common,
+            alpha,
+            cells,
+            elements,
+            dimension,
+            nodes,
+            reference,
+            masses,
+            factors,
+            increments,
+            places,
+            forces,
+        }
     }
 
     /// From now on with another bulk viscosity.
     pub fn damp(&mut self, viscosity: [f64; 2]) {
         self.common.viscosity = viscosity;
+    }
+
+    /// From now on with so many times its mass in each element.
+    pub fn scale(&mut self, factor: &dyn Fn(CellId) -> f64) {
+        let factors: Vec<f64> = self.cells.iter().map(|&cell| factor(cell)).collect();
+        self.masses.fill(0.0);
+        let of = (self.cells.len(), self.reference.as_slice());
+        self.elements.weigh(&self.common, of, &|element| factors[element], &mut self.masses);
+        self.factors = factors.iter().any(|f| *f != 1.0).then_some(factors);
+    }
+
+    /// From now on with the stable increments of all elements, or without.
+    pub fn measure(&mut self, wanted: bool) {
+        self.increments = wanted.then(|| vec![f64::INFINITY; self.cells.len()]);
+    }
+
+    /// Stable increments [T] that the elements have by themselves, as of the last increment; none where they are not asked for.
+    pub fn increments(&self) -> impl Iterator<Item = (CellId, f64)> + '_ {
+        self.cells.iter().copied().zip(self.increments.iter().flatten().copied())
     }
 
     pub fn count(&self) -> usize {
@@ -172,6 +210,8 @@ impl Chunk {
             count: self.cells.len(),
             places: &self.places,
             reference: &self.reference,
+            factors: self.factors.as_deref(),
+            increments: self.increments.as_deref_mut(),
             forces: &mut self.forces,
         })
     }

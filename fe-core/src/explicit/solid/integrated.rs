@@ -263,7 +263,13 @@ fn square<const N: usize, const P: usize>(
 }
 
 impl<const N: usize, const P: usize> Elements for Integrated<N, P> {
-    fn weigh(&mut self, common: &Common, (count, reference): (usize, &[[f64; 3]]), masses: &mut [f64]) {
+    fn weigh(
+        &mut self,
+        common: &Common,
+        (count, reference): (usize, &[[f64; 3]]),
+        factor: &dyn Fn(usize) -> f64,
+        masses: &mut [f64],
+    ) {
         for b in 0..self.nodes.len() {
             let x = gather(&self.nodes[b], |n| reference[n]);
             let (mut volume, mut parts, mut whole) = (Lanes::ZERO, [Lanes::ZERO; N], Lanes::ZERO);
@@ -277,11 +283,16 @@ impl<const N: usize, const P: usize> Elements for Integrated<N, P> {
                 }
             }
             let own = &mut self.state[b * Self::NUMBERS..];
-            (own[0], own[1]) = (volume * common.density, volume);
+            // Weighed anew, elements are as large as the last increment left them.
+            if own[1].0 == Lanes::ZERO.0 {
+                own[1] = volume;
+            }
+            own[0] = volume * common.density;
             for a in 0..N {
                 own[2 + a] = parts[a] / whole;
                 for lane in 0..(count - b * LANES).min(LANES) {
-                    masses[self.nodes[b][a][lane] as usize] += own[0].0[lane] * own[2 + a].0[lane];
+                    let mass = factor(b * LANES + lane) * own[0].0[lane];
+                    masses[self.nodes[b][a][lane] as usize] += mass * own[2 + a].0[lane];
                 }
             }
         }

@@ -170,6 +170,21 @@ impl Solids {
         self.chunks.iter().for_each(|chunk| chunk.add_mass_damping(damping));
     }
 
+    /// From now on with so many times its mass in each element.
+    pub fn scale(&mut self, factor: &dyn Fn(CellId) -> f64) {
+        self.chunks.iter_mut().for_each(|chunk| chunk.scale(factor));
+    }
+
+    /// From now on with the stable increments of all elements, or without.
+    pub fn measure(&mut self, wanted: bool) {
+        self.chunks.iter_mut().for_each(|chunk| chunk.measure(wanted));
+    }
+
+    /// Stable increments [T] that the elements have by themselves, without their factors, as of the last increment.
+    pub fn increments(&self) -> impl Iterator<Item = (CellId, f64)> + '_ {
+        self.chunks.iter().flat_map(Chunk::increments)
+    }
+
     /// Elements.
     pub fn count(&self) -> usize {
         self.chunks.iter().map(Chunk::count).sum()

@@ -32,27 +32,36 @@ impl<S: Shape<N, H>, const N: usize, const H: usize> OnePoint<S, N, H> {
     /// Free of stress.
     pub fn new(elements: &[Vec<u32>]) -> Self {
         let nodes = batches(elements);
-        let state = vec![Lanes::ZERO; nodes.len() * Self::NUMBERS];
+        let mut state = vec![Lanes::ZERO; nodes.len() * Self::NUMBERS];
+        if S::SPACE != Space::Solid {
+            // The stretch of the thickness.
+            state.chunks_exact_mut(Self::NUMBERS).for_each(|state| state[HOURGLASS + 3 * H + 1] = Lanes::splat(1.0));
+        }
         OnePoint { nodes, state, shape: PhantomData }
     }
 }
 
 impl<S: Shape<N, H>, const N: usize, const H: usize> Elements for OnePoint<S, N, H> {
-    fn weigh(&mut self, common: &Common, (count, reference): (usize, &[[f64; 3]]), masses: &mut [f64]) {
+    fn weigh(
+        &mut self,
+        common: &Common,
+        (count, reference): (usize, &[[f64; 3]]),
+        factor: &dyn Fn(usize) -> f64,
+        masses: &mut [f64],
+    ) {
         for (b, (nodes, state)) in self.nodes.iter().zip(self.state.chunks_exact_mut(Self::NUMBERS)).enumerate() {
             let x = gather(nodes, |n| reference[n]);
             let geometry = geometry::<S, N, H, false>(&x, &[[Lanes::ZERO; 3]; N]);
             let (mass, shares) = (geometry.volume * (common.density * common.thickness), S::shares(&x));
             state[MASS] = mass;
             if S::SPACE != Space::Solid {
-                let [lightest, stretch] = [HOURGLASS + 3 * H, HOURGLASS + 3 * H + 1];
                 let most = |most: Lanes, share: &Lanes| most.max(Lanes::splat(1.0) / *share);
-                state[lightest] = shares.iter().fold(Lanes::ZERO, most);
-                state[stretch] = Lanes::splat(1.0);
+                state[HOURGLASS + 3 * H] = shares.iter().fold(Lanes::ZERO, most);
             }
             for lane in 0..(count - b * LANES).min(LANES) {
                 let of_node = nodes.iter().zip(&shares);
-                of_node.for_each(|(n, share)| masses[n[lane] as usize] += mass.0[lane] * share.0[lane]);
+                let mass = factor(b * LANES + lane) * mass.0[lane];
+                of_node.for_each(|(n, share)| masses[n[lane] as usize] += mass * share.0[lane]);
             }
         }
     }
