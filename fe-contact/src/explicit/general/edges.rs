@@ -110,14 +110,14 @@ impl Edges {
                 continue;
             };
             let Crossing { gap, distance, is_proper, .. } = crossing;
-            candidate.wake = scene.travelled + (distance - scene.table.reach).max(0.0);
+            candidate.wake = scene.travelled + (distance - scene.reach).max(0.0);
             let outside = candidate.was_outside && scene.look == Look::Again;
             candidate.was_outside = gap >= 0.0 || (is_proper && outside);
             let [one, other] = ends.map(|e| &edges[e as usize]);
             let may = is_proper
                 && (gap >= 0.0 || outside || is_neighbour(scene, ends, &closed.crossing))
                 && !closed.holds(one, other);
-            if may && gap < scene.table.reach || was.is_some() {
+            if may && gap < scene.reach || was.is_some() {
                 candidate.wake = f64::NEG_INFINITY;
                 match was {
                     Some(was) if !may => self.touches.push(was.left(scene)),

@@ -19,7 +19,7 @@ pub use overclosure::{Adjusted, adjust};
 pub use report::GeneralCount;
 
 use super::carriers::{Carriers, RigidFollower};
-use super::penalty::{PENALTY, is_stale};
+use super::penalty::{AHEAD, PENALTY, is_stale};
 use crate::facet::Vec3;
 use crate::search::{Bounds, Grid};
 use edges::{Closed, Edges};
@@ -50,12 +50,16 @@ struct Ground {
     penalties: Vec<f64>,
     /// How far any two places have moved against each other, at most [L].
     travelled: f64,
+    /// For how long [T] what comes is foreseen, and how far things may move against each other by then [L].
+    soon: [f64; 2],
 }
 
 impl Ground {
     fn scene(&self, dt: f64, look: Look) -> Scene<'_> {
-        let Ground { carriers, surface, table, penalties, travelled } = self;
-        Scene { surface, carriers, table, penalties, dt, travelled: *travelled, look }
+        let Ground { carriers, surface, table, penalties, travelled, soon } = self;
+        let [soon, way] = *soon;
+        let reach = table.reach + way;
+        Scene { surface, carriers, table, penalties, dt, travelled: *travelled, soon, reach, look }
     }
 }
 
@@ -93,7 +97,7 @@ impl GeneralContact {
             name: definition.name.clone(),
             nodes: runs(surface.nodes.len()).map(Nodes::new).collect(),
             edges: runs(surface.edges.len()).map(Edges::new).collect(),
-            ground: Ground { carriers, surface, table, penalties: Vec::new(), travelled: 0.0 },
+            ground: Ground { carriers, surface, table, penalties: Vec::new(), travelled: 0.0, soon: [0.0; 2] },
             made_for: None,
             holds: f64::NEG_INFINITY,
             searches: 0,
@@ -172,8 +176,10 @@ impl GeneralContact {
         for touch in of_nodes.chain(self.edges.iter().flat_map(|run| &run.touches)) {
             self.work += touch.work;
             self.rubbed += touch.rubbed;
-            if touch.is_closed() {
+            if touch.rates != [0.0; 2] {
                 carriers.stiffen(&touch.row, touch.rates);
+            }
+            if touch.is_closed() {
                 touch.row.iter().for_each(|&(node, d)| carriers.force[node as usize] += touch.point.force * d);
             }
         }
@@ -199,6 +205,10 @@ impl ExplicitTerm for GeneralContact {
         }
         self.ground.carriers.update(at.u, at.v);
         let way = self.travel(at.dt);
+        if self.ground.table.may_be_stiff {
+            let soon = AHEAD * at.stable;
+            self.ground.soon = [soon, Bounds::around(&self.ground.carriers.v, 0.0).diagonal() * soon];
+        }
         let look = self.search(way, at.dt);
         self.meet(at.dt, look);
         self.sum();

@@ -130,7 +130,7 @@ impl Nodes {
                 continue;
             };
             let face = &faces[candidate.face as usize];
-            if gap >= scene.table.reach && was.is_none() {
+            if gap >= scene.reach && was.is_none() {
                 continue;
             }
             let Some((acting, part)) = part(scene, node, face) else { continue };
@@ -155,7 +155,7 @@ impl Nodes {
             self.touches.push(touch);
         }
         let is_near = self.touches.len() > count;
-        if is_near { f64::NEG_INFINITY } else { scene.travelled + (clear - scene.table.reach).max(0.0) }
+        if is_near { f64::NEG_INFINITY } else { scene.travelled + (clear - scene.reach).max(0.0) }
     }
 
     /// The nearest gap [L] of each node that does not touch and has a face near.

@@ -14,6 +14,8 @@ pub(super) struct Table {
     pub scales: Vec<f64>,
     /// Largest clearance [L] at which some law presses.
     pub reach: f64,
+    /// True where some law may be as steep as it likes: stiffness of hard contact suits the increments.
+    pub may_be_stiff: bool,
 }
 
 /// Both: an exclusion holds; where both act, the later behaviour and the later factor.
@@ -52,6 +54,7 @@ impl Table {
             behaviours: definition.behaviours.clone(),
             scales: definition.scales.clone(),
             reach: definition.behaviours.iter().map(reach).fold(0.0, f64::max),
+            may_be_stiff: definition.behaviours.iter().any(|behaviour| !matches!(behaviour.normal, Normal::Hard)),
         }
     }
 

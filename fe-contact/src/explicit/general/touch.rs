@@ -6,7 +6,6 @@ use super::table::Table;
 use crate::explicit::behaviour::Meeting;
 use crate::explicit::carriers::Carriers;
 use crate::explicit::pair::{Point, open};
-use crate::explicit::penalty::AHEAD;
 use crate::facet::Vec3;
 use crate::point::ContactStatus;
 use crate::tangents::Space;
@@ -69,6 +68,9 @@ pub(super) struct Scene<'a> {
     pub dt: f64,
     /// How far any two places have moved against each other since the start, at most [L].
     pub travelled: f64,
+    /// For how long [T] what comes is foreseen, and the gap [L] below which it may act by then.
+    pub soon: f64,
+    pub reach: f64,
     pub look: Look,
 }
 
@@ -90,8 +92,12 @@ impl Scene<'_> {
 
     /// How far places part in the increment [L].
     fn way(&self, row: &[(u32, f64)]) -> Vec3 {
-        let rate: Vec3 = row.iter().map(|&(node, d)| self.carriers.v[node as usize] * d).sum();
-        rate * self.dt
+        self.rate(row) * self.dt
+    }
+
+    /// How fast they do [L/T].
+    fn rate(&self, row: &[(u32, f64)]) -> Vec3 {
+        row.iter().map(|&(node, d)| self.carriers.v[node as usize] * d).sum()
     }
 
     /// The least stiffness [F/L] of some nodes.
@@ -107,11 +113,12 @@ impl Scene<'_> {
     /// Two places at the end of the increment; `before` is how they touched at its beginning.
     pub fn touch(&self, ends: [u32; 2], before: Option<&Touch>, at: Place, acting: Acting) -> Touch {
         let Place { gap, normal, row, measure, penalty } = at;
-        let moved = self.way(&row);
+        let rate = self.rate(&row);
+        let moved = rate * self.dt;
         let was = before.map_or_else(Point::default, |touch| touch.point);
         let point = Point { index: row[0].0, measure, penalty, ..was };
         let mass = self.carriers.mass_of(&row);
-        let closing = (-AHEAD * moved.dot(&normal)).max(0.0);
+        let closing = (-self.soon * rate.dot(&normal)).max(0.0);
         let meeting = Meeting { gap, normal, moved, closing, mass, dt: self.dt, space: Space::Solid };
         let answer = self.table.behaviours[usize::from(acting.behaviour)].meet(&point, &meeting);
         let answered = if answer.point.status == ContactStatus::Open { open(&answer.point) } else { answer.point };
