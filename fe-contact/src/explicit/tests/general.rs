@@ -150,7 +150,7 @@ fn a04_scale_factor_law() {
     let scaling = Scaling { piece: Part::OfElement(d), scale: s, initial };
     let law = Normal::ScaleFactor { scaling, smallest: 1.0 };
     let mut cubes = Motion::new(&bodies, general(&bodies, bodies.definition(free(law), &[])), velocity);
-    let increment = cubes.procedure.stable().increment();
+    let increment = cubes.procedure.stable().stable;
     let (mass, area) = (DENSITY / 8.0, 0.25);
     let k = 0.1 * mass / (increment * increment) / area;
     let dt = 0.2 * increment;
