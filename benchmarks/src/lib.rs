@@ -10,6 +10,7 @@ pub mod fit;
 pub mod general;
 pub mod growth;
 pub mod hard;
+pub mod impacts;
 pub mod machine;
 pub mod measure;
 pub mod norm;

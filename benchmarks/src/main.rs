@@ -1,7 +1,7 @@
 //! The program: measures problems with known answers.
 
 use benchmarks::study::Options;
-use benchmarks::{card, compare, explicit, general, growth, hard, measure, problems, reading, study};
+use benchmarks::{card, compare, explicit, general, growth, hard, impacts, measure, problems, reading, study};
 use clap::{Parser, Subcommand};
 use std::error::Error;
 use std::ffi::OsString;
@@ -80,6 +80,12 @@ enum Command {
     },
     /// How general contact grows with its facets, and its share of an increment.
     General {
+        /// Threads.
+        #[arg(long, default_value_t = 1)]
+        threads: usize,
+    },
+    /// Kinematic contact and penalties side by side on impacts: overclosure, energy lost, impulse, increments.
+    Impacts {
         /// Threads.
         #[arg(long, default_value_t = 1)]
         threads: usize,
@@ -165,6 +171,7 @@ fn execute(command: Command) -> Result<ExitCode, Box<dyn Error>> {
         Command::Growth { settings } => growth::study(&settings.options(), out)?,
         Command::Explicit { settings } => explicit::study(&settings.options(), out)?,
         Command::General { threads } => general::study(threads, out)?,
+        Command::Impacts { threads } => impacts::study(threads, out)?,
         Command::Phases { deck, threads } => growth::phases(&deck, threads, out)?,
         Command::Fe { arguments } => {
             return Ok(fe::main_with(fe::standard(), std::iter::once("fe".into()).chain(arguments)));
