@@ -17,7 +17,7 @@ from vtkmodules.vtkIOHDF import vtkHDFReader
 FIELDS = [("U", 3, "Point"), ("V", 3, "Point"), ("RF", 3, "Point"), ("S", 6, "Point"), ("E", 6, "Point"), ("MISES", 1, "Point"),
           ("CPRESS", 1, "Point"), ("CPRESS_LENGTH", 1, "Point"), ("CPRESS_FORCE", 1, "Point"), ("CSHEAR1", 1, "Point"),
           ("CSHEAR2", 1, "Point"), ("COPEN", 1, "Point"), ("CSLIP1", 1, "Point"), ("CSLIP2", 1, "Point"),
-          ("CSTATUS", 1, "Point"), ("CNORMF", 3, "Point"), ("CSHEARF", 3, "Point"),
+          ("CNAREA", 1, "Point"), ("CSTATUS", 1, "Point"), ("CNORMF", 3, "Point"), ("CSHEARF", 3, "Point"),
           ("S", 6, "Cell"), ("E", 6, "Cell"), ("MISES", 1, "Cell"), ("PEEQ", 1, "Cell"), ("SF", 3, "Cell"), ("SM", 3, "Cell")]
 
 
