@@ -22,8 +22,10 @@ use std::time::Instant;
 
 /// Elements along an edge of a cube: 150 facets, 125 elements.
 const EDGE: usize = 5;
-/// Cubes of the first row, and how often they are doubled.
-const FIRST: usize = 7;
+/// Cubes of a cluster, 2 along each edge, and of the first row.
+const CLUSTER: usize = 8;
+const FIRST: usize = CLUSTER;
+/// How often the first row is doubled.
 const DOUBLED: usize = 6;
 /// Speed of the cubes over that of sound [-], in all directions.
 const SPEED: f64 = 0.02;
@@ -118,14 +120,20 @@ fn numbers() -> impl FnMut() -> f64 {
     }
 }
 
-/// So many unit cubes on a lattice with gaps of a tenth, a little out of place.
+/// So many unit cubes: clusters of eight with gaps of a tenth, a little out of place, all clusters alike and 1.5 apart, so that
+/// twice as many have twice as much to do.
 fn cloud(count: usize) -> Structure {
-    let side = (1..).find(|side: &usize| side.pow(3) >= count).unwrap_or(1);
+    let side = (1..).find(|side: &usize| side.pow(3) * CLUSTER >= count).unwrap_or(1);
     let mut next = numbers();
     let mut mesh = Mesh::default();
     for body in 0..count {
-        let place = [body % side, body / side % side, body / side / side];
-        let origin = place.map(|i| 1.1 * i as f64 + 0.03 * next());
+        let (cluster, own) = (body / CLUSTER, body % CLUSTER);
+        if own == 0 {
+            next = numbers();
+        }
+        let around = [cluster % side, cluster / side % side, cluster / side / side];
+        let origin: [f64; 3] =
+            std::array::from_fn(|c| 3.6 * around[c] as f64 + 1.1 * (own >> c & 1) as f64 + 0.03 * next());
         mesh.append(&Block::hex8([EDGE; 3]).origin(origin).mesh());
     }
     Structure { mesh, elements: vec![C3D8R], ..Structure::default() }
@@ -174,6 +182,9 @@ fn measured(bodies: usize) -> Result<Row, Halt> {
     let mut next = numbers();
     let each = structure.mesh.points.len() / bodies;
     for body in 0..bodies {
+        if body % CLUSTER == 0 {
+            next = numbers();
+        }
         let velocity = [0; 3].map(|_| SPEED * next());
         for node in body * each..(body + 1) * each {
             freedoms.of_node(node).zip(velocity).for_each(|(freedom, v)| state.v[freedom] = v);
