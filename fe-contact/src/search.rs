@@ -96,13 +96,21 @@ impl Grid {
         (self.start, self.items) = (start, items);
     }
 
+    /// Column, row and layer of the cell that is nearest to a point.
+    fn place(&self, p: &Vec3) -> [usize; 3] {
+        [0, 1, 2].map(|i| (((p[i] - self.all.low[i]) / self.edge).max(0.0) as usize).min(self.cells[i] - 1))
+    }
+
+    fn cell(&self, [x, y, z]: [usize; 3]) -> usize {
+        (z * self.cells[1] + y) * self.cells[0] + x
+    }
+
     fn cells_of(&self, b: &Bounds, mut visit: impl FnMut(usize)) {
-        let place = |x: f64, i: usize| (((x - self.all.low[i]) / self.edge).max(0.0) as usize).min(self.cells[i] - 1);
-        let (low, high) = ([0, 1, 2].map(|i| place(b.low[i], i)), [0, 1, 2].map(|i| place(b.high[i], i)));
+        let (low, high) = (self.place(&b.low), self.place(&b.high));
         for z in low[2]..=high[2] {
             for y in low[1]..=high[1] {
                 for x in low[0]..=high[0] {
-                    visit((z * self.cells[1] + y) * self.cells[0] + x);
+                    visit(self.cell([x, y, z]));
                 }
             }
         }
@@ -131,6 +139,19 @@ impl Grid {
                 found.extend(items.iter().filter(|&&i| self.boxes[i as usize].meets(query)));
             });
         }
+    }
+
+    /// Whose boxes hold a point, ascending: those of one cell.
+    pub fn holding(&self, point: Vec3) -> impl Iterator<Item = u32> + '_ {
+        let own = Bounds { low: point, high: point };
+        let range = match self.boxes.is_empty() || !own.meets(&self.all) {
+            true => 0..0,
+            false => {
+                let cell = self.cell(self.place(&point));
+                self.start[cell] as usize..self.start[cell + 1] as usize
+            }
+        };
+        self.items[range].iter().copied().filter(move |&i| self.boxes[i as usize].meets(&own))
     }
 
     /// Whose boxes meet a box, ascending.
@@ -200,6 +221,10 @@ mod tests {
             let query = cube(Vec3::new(next() * 4.0, next(), next() - 0.5), 0.3 * next());
             let expected: Vec<u32> = (0..500).filter(|&i| boxes[i as usize].meets(&query)).collect();
             assert_eq!(grid.meeting(&query), expected);
+            let holding: Vec<u32> = grid.holding(query.low).collect();
+            let expected: Vec<u32> =
+                (0..500).filter(|&i| boxes[i as usize].meets(&Bounds { low: query.low, high: query.low })).collect();
+            assert_eq!(holding, expected);
         }
     }
 

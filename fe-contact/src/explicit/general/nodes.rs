@@ -10,7 +10,7 @@ use super::touch::{DEEPEST, Look, Place, Scene, Touch};
 use crate::explicit::behaviour::Normal;
 use crate::explicit::foot::Foot;
 use crate::facet::Vec3;
-use crate::search::{Bounds, Grid};
+use crate::search::Grid;
 
 /// Most of the product of the unit normals of a node and a face that it may touch [-]: they look at each other, or nearly.
 const FACING: f64 = 0.3;
@@ -79,16 +79,13 @@ impl Nodes {
             let node = &scene.surface.nodes[i as usize];
             let first = self.candidates.len();
             let x = scene.x(i);
-            for face in grid.meeting(&Bounds::around(&[x], 0.0)) {
-                let data = &scene.surface.faces[face as usize];
-                if data.corners().contains(&i) || part(scene, i, data).is_none() {
-                    continue;
-                }
-                let (product, height) = (
-                    nodes[i as usize].dot(&faces[face as usize]),
-                    (x - scene.x(data.corners[0])).dot(&faces[face as usize]),
-                );
-                if let Some(side) = side(node, data, product, height) {
+            for face in grid.holding(x) {
+                let (data, normal) = (&scene.surface.faces[face as usize], &faces[face as usize]);
+                let (product, height) = (nodes[i as usize].dot(normal), (x - scene.x(data.corners[0])).dot(normal));
+                if let Some(side) = side(node, data, product, height)
+                    && !data.corners().contains(&i)
+                    && part(scene, i, data).is_some()
+                {
                     self.candidates.push(Candidate { face, side, was_outside: false });
                 }
             }
