@@ -2,6 +2,9 @@
 
 use crate::facet::Vec3;
 
+/// Deepest overclosure over the size of a face or edge [-]: what lies deeper belongs to another one.
+pub(super) const DEEPEST: f64 = 0.5;
+
 /// The point of a face that is nearest to a place.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Foot {

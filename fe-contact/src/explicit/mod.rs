@@ -1,6 +1,7 @@
 //! Contact in explicit steps: where surfaces are is found anew in every increment, and the laws are those of static steps.
 
 mod behaviour;
+mod border;
 mod carriers;
 mod definition;
 mod foot;

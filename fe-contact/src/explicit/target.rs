@@ -1,11 +1,11 @@
 //! The main side: the nearest point of moving faces, or of a rigid surface.
 
+use super::border::{borders, is_on_border};
 use super::carriers::Carriers;
-use super::foot::Foot;
+use super::foot::{DEEPEST, Foot};
 use crate::facet::Vec3;
 use crate::rigid::RigidSurface;
 use crate::search::{Bounds, Grid};
-use std::collections::HashMap;
 
 /// What secondary nodes meet.
 #[derive(Clone, Debug)]
@@ -49,7 +49,7 @@ pub(super) struct Faces {
     /// Corners in the carriers' lists; a triangle repeats its last, an edge has two.
     corners: Vec<[u32; 4]>,
     counts: Vec<u8>,
-    /// For each face the edges, a bit each, that no other face has; of an edge of a plane model its ends.
+    /// The [`borders`] of each face.
     border: Vec<u8>,
     /// Mean size [L] of the faces.
     size: f64,
@@ -62,26 +62,9 @@ pub(super) struct Faces {
 /// Candidates lie within this part of the faces' mean size [-].
 const MARGIN: f64 = 0.5;
 
-/// A node counts as inside down to this part of a face's size [-]: deeper, it belongs to another face.
-const DEEPEST: f64 = 0.5;
-
 /// How far beyond its border a surface goes on [-], of the faces' mean size: nodes at the border of both sides stay in contact as
 /// they give way along it (Abaqus Analysis User's Manual, Contact formulations, EXTENSION ZONE).
 const EXTENSION: f64 = 0.1;
-
-/// The edges that a single face has, of an edge of a plane model its ends.
-fn borders(corners: &[[u32; 4]], counts: &[u8]) -> Vec<u8> {
-    let part = |face: usize, k: usize| {
-        let (own, count) = (&corners[face], usize::from(counts[face]));
-        let ends = [own[k], if count > 2 { own[(k + 1) % count] } else { own[k] }];
-        (ends[0].min(ends[1]), ends[0].max(ends[1]))
-    };
-    let parts = |face: usize| (0..usize::from(counts[face])).map(move |k| (k, part(face, k)));
-    let mut uses: HashMap<(u32, u32), u32> = HashMap::new();
-    (0..corners.len()).flat_map(parts).for_each(|(_, part)| *uses.entry(part).or_default() += 1);
-    let single = |face: usize| parts(face).filter(|(_, part)| uses[part] == 1).map(|(k, _)| 1 << k).sum();
-    (0..corners.len()).map(single).collect()
-}
 
 impl Faces {
     pub fn new(faces: &[Vec<u32>], carriers: &Carriers) -> Self {
@@ -95,7 +78,7 @@ impl Faces {
             (points[0] - points[2]).norm().max((points[1] - points[3]).norm())
         });
         let size = sizes.sum::<f64>() / corners.len().max(1) as f64;
-        let border = borders(&corners, &counts);
+        let border = borders(corners.iter().zip(counts.iter().copied()));
         Faces { corners, counts, border, size, places: Vec::new(), start: Vec::new(), faces: Vec::new() }
     }
 
@@ -113,9 +96,9 @@ impl Faces {
         self.start = vec![0];
         self.faces.clear();
         for node in secondary {
-            let near = grid.meeting(&Bounds::around(&[carriers.x[node as usize]], 0.0));
+            let near = grid.holding(carriers.x[node as usize]);
             // A node does not meet faces of its own.
-            self.faces.extend(near.into_iter().filter(|&face| !self.corners[face as usize].contains(&node)));
+            self.faces.extend(near.filter(|&face| !self.corners[face as usize].contains(&node)));
             self.start.push(self.faces.len() as u32);
         }
     }
@@ -144,19 +127,11 @@ impl Faces {
     fn on_face(&self, carriers: &Carriers, face: usize, x: &Vec3) -> (Hit, f64) {
         let corners = self.corners[face];
         let mut foot = Foot::on_face(&corners.map(|i| carriers.x[i as usize]), self.counts[face], x);
-        if foot.gap < 0.0 && !foot.is_within && self.is_on_border(face, &foot.weights) {
+        if foot.gap < 0.0 && !foot.is_within && is_on_border(self.border[face], self.counts[face], &foot.weights) {
             foot = self.beyond(foot, x);
         }
         let shares = std::array::from_fn(|i| (corners[i], foot.weights[i]));
         (Hit { gap: foot.gap, normal: foot.normal, place: foot.place, shares }, foot.facing)
-    }
-
-    /// True where a point with such shares is on an edge that no other face has.
-    fn is_on_border(&self, face: usize, weights: &[f64; 4]) -> bool {
-        let count = usize::from(self.counts[face]);
-        let reaches = if count > 2 { 2 } else { 1 };
-        let is_on = |k: usize| (0..count).all(|i| weights[i] == 0.0 || (i + count - k) % count < reaches);
-        (0..count).any(|k| self.border[face] >> k & 1 == 1 && is_on(k))
     }
 
     /// What is behind a face and past the border of the surface: near it as deep as it is, farther off outside.

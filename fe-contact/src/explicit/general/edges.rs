@@ -1,7 +1,8 @@
 //! Feature edges against each other: where ridges cross, and no node is behind a face.
 
 use super::features::{Cone, Edge};
-use super::touch::{DEEPEST, Look, Place, Scene, Touch};
+use super::touch::{Look, Place, Scene, Touch};
+use crate::explicit::foot::DEEPEST;
 use crate::facet::Vec3;
 use crate::search::{Bounds, Grid};
 

@@ -61,8 +61,8 @@ impl Edge {
     }
 }
 
-/// The feature edges of faces, whose perimeters it marks.
-pub(super) fn edges(faces: &mut [FaceData], x: &[Vec3]) -> Vec<Edge> {
+/// The feature edges of faces.
+pub(super) fn edges(faces: &[FaceData], x: &[Vec3]) -> Vec<Edge> {
     let mut sides: HashMap<[u32; 2], Vec<(u32, u8)>> = HashMap::new();
     let mut order = Vec::new();
     for (f, face) in faces.iter().enumerate() {
@@ -83,15 +83,10 @@ pub(super) fn edges(faces: &mut [FaceData], x: &[Vec3]) -> Vec<Edge> {
         let (first, corner) = at[0];
         let face = &faces[first as usize];
         let cone = match at[..] {
-            [_] => {
-                let sheet = face.sides == Sides::Both;
-                faces[first as usize].perimeter |= 1 << corner;
-                if sheet { Some(Cone::End(first)) } else { None }
-            }
+            [_] => (face.sides == Sides::Both).then_some(Cone::End(first)),
             [_, (second, _)] => fold(faces, [first, second], x),
             _ => None,
         };
-        let face = &faces[first as usize];
         let count = usize::from(face.count);
         // In the direction in which the first face goes around.
         let nodes = [face.corners[usize::from(corner)], face.corners[(usize::from(corner) + 1) % count]];

@@ -6,9 +6,9 @@
 
 use super::definition::Sides;
 use super::surface::{FaceData, NodeData};
-use super::touch::{DEEPEST, Look, Place, Scene, Touch};
+use super::touch::{Look, Place, Scene, Touch};
 use crate::explicit::behaviour::Normal;
-use crate::explicit::foot::Foot;
+use crate::explicit::foot::{DEEPEST, Foot};
 use crate::facet::Vec3;
 use crate::search::Grid;
 
@@ -210,7 +210,7 @@ fn nearest<'c>(scene: &Scene, node: u32, same: &'c mut [Candidate], closed: &[&T
     for (place, candidate) in same.iter_mut().enumerate() {
         let face = &faces[candidate.face as usize];
         let foot = Foot::on_face(&face.corners.map(|i| scene.x(i)), face.count, &x);
-        let around = !foot.is_within && face.is_on_perimeter(&foot.weights);
+        let around = !foot.is_within && face.is_on_border(&foot.weights);
         let is_touched = closed.iter().any(|touch| touches_neighbour(faces, touch.second, candidate.face));
         if face.sides == Sides::Both && !foot.is_within {
             let side = if foot.gap < 0.0 { -1.0 } else { 1.0 };

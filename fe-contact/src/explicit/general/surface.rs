@@ -2,6 +2,7 @@
 
 use super::definition::{GeneralDefinition, GeneralFace, Sides};
 use super::features::Edge;
+use crate::explicit::border::{borders, is_on_border};
 use crate::explicit::carriers::Carriers;
 use crate::facet::Vec3;
 use std::collections::HashMap;
@@ -14,8 +15,8 @@ pub(super) struct FaceData {
     pub count: u8,
     pub sides: Sides,
     pub class: u16,
-    /// Bit i is set where no other face has the edge from corner i on.
-    pub perimeter: u8,
+    /// See [`borders`].
+    pub borders: u8,
     /// Faces that share nodes, directly or through others, have the same number.
     pub component: u32,
     /// The rigid body that it belongs to.
@@ -31,16 +32,8 @@ impl FaceData {
     }
 
     /// True where a point with such shares of the corners lies on an edge that no other face has.
-    pub fn is_on_perimeter(&self, weights: &[f64; 4]) -> bool {
-        let count = usize::from(self.count);
-        let at = |i: usize| weights[i % count] > 0.0;
-        let alone = (0..count).filter(|&i| at(i)).count();
-        let open = |i: usize| self.perimeter >> (i % count) & 1 == 1;
-        match alone {
-            1 => (0..count).any(|i| at(i) && (open(i) || open(i + count - 1))),
-            2 => (0..count).any(|i| at(i) && at(i + 1) && open(i)),
-            _ => false,
-        }
+    pub fn is_on_border(&self, weights: &[f64; 4]) -> bool {
+        is_on_border(self.borders, self.count, weights)
     }
 }
 
@@ -85,13 +78,15 @@ impl Surface {
                 count: face.nodes.len() as u8,
                 sides: face.sides,
                 class: face.class,
-                perimeter: 0,
+                borders: 0,
                 component: components[corners[0] as usize],
                 body: carriers.body_of(corners[0]),
                 size,
             }
         };
         let mut faces: Vec<FaceData> = definition.faces.iter().map(of).collect();
+        let borders = borders(faces.iter().map(|face| (&face.corners, face.count)));
+        faces.iter_mut().zip(borders).for_each(|(face, borders)| face.borders = borders);
         let nodes = (0..carriers.nodes.len() as u32).map(|i| NodeData {
             component: components[i as usize],
             body: carriers.body_of(i),
@@ -109,7 +104,7 @@ impl Surface {
         }
         let mut sets = ClassSets::default();
         nodes.iter_mut().zip(classes).for_each(|(node, classes)| node.classes = sets.number(classes));
-        let mut edges = super::features::edges(&mut faces, &carriers.x);
+        let mut edges = super::features::edges(&faces, &carriers.x);
         edges.iter().flat_map(|edge| edge.nodes).for_each(|n| nodes[n as usize].is_feature = true);
         for edge in &mut edges {
             edge.classes = sets.number(edge.faces().iter().map(|&face| faces[face as usize].class).collect());

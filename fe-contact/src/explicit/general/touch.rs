@@ -10,9 +10,6 @@ use crate::facet::Vec3;
 use crate::point::ContactStatus;
 use crate::tangents::Space;
 
-/// Deepest overclosure over the size of a face or edge [-]: what lies deeper belongs to another one.
-pub(super) const DEEPEST: f64 = 0.5;
-
 /// A node and a face, or two edges, that touch or did so an increment ago.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Touch {
