@@ -213,10 +213,12 @@ impl Carriers {
         }
     }
 
-    pub fn weigh(&mut self, mass: &[f64]) {
+    /// Takes the masses from those of all freedoms; true where one has changed.
+    pub fn weigh(&mut self, mass: &[f64]) -> bool {
         self.bodies.iter_mut().for_each(|body| body.weigh(mass));
+        let mut has_changed = false;
         for i in 0..self.nodes.len() {
-            self.inverse_mass[i] = match self.carriers[i] {
+            let inverse = match self.carriers[i] {
                 Carrier::Free(first, _) if mass[first] > 0.0 => 1.0 / mass[first],
                 Carrier::Free(..) => 0.0,
                 // The arm stays as the body turns.
@@ -225,7 +227,10 @@ impl Carriers {
                     body.inverse[0] + body.inverse[1] * (self.start[i] - body.start).norm_squared()
                 }
             };
+            has_changed |= inverse != self.inverse_mass[i];
+            self.inverse_mass[i] = inverse;
         }
+        has_changed
     }
 
     pub fn update(&mut self, u: &[f64], v: &[f64]) {

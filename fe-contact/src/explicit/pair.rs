@@ -146,9 +146,7 @@ impl ExplicitTerm for ContactPair {
     }
 
     fn weigh(&mut self, mass: &[f64]) {
-        let before = self.carriers.inverse_mass.clone();
-        self.carriers.weigh(mass);
-        if self.carriers.inverse_mass != before {
+        if self.carriers.weigh(mass) {
             self.made_for = None;
         }
     }

@@ -115,11 +115,17 @@ impl GeneralContact {
         self.made_for = Some(increment);
     }
 
-    /// Counts how far things move against each other in an increment [T]: at most by the diagonal of the box of all velocities.
-    fn travel(&mut self, dt: f64) -> f64 {
-        let way = Bounds::around(&self.ground.carriers.v, 0.0).diagonal() * dt;
+    /// Counts how far things move against each other in an increment, and foresees how far they will in the next ones: at most by
+    /// the diagonal of the box of all velocities.
+    fn travel(&mut self, at: &Moving) -> f64 {
+        let speed = Bounds::around(&self.ground.carriers.v, 0.0).diagonal();
+        let way = speed * at.dt;
         // Bodies that turn go a little farther than their velocity says.
         self.ground.travelled += 1.01 * way;
+        if self.ground.table.may_be_stiff {
+            let soon = AHEAD * at.stable;
+            self.ground.soon = [soon, speed * soon];
+        }
         way
     }
 
@@ -192,9 +198,7 @@ impl ExplicitTerm for GeneralContact {
     }
 
     fn weigh(&mut self, mass: &[f64]) {
-        let before = self.ground.carriers.inverse_mass.clone();
-        self.ground.carriers.weigh(mass);
-        if self.ground.carriers.inverse_mass != before {
+        if self.ground.carriers.weigh(mass) {
             self.made_for = None;
         }
     }
@@ -204,11 +208,7 @@ impl ExplicitTerm for GeneralContact {
             self.stiffen(at.stable);
         }
         self.ground.carriers.update(at.u, at.v);
-        let way = self.travel(at.dt);
-        if self.ground.table.may_be_stiff {
-            let soon = AHEAD * at.stable;
-            self.ground.soon = [soon, Bounds::around(&self.ground.carriers.v, 0.0).diagonal() * soon];
-        }
+        let way = self.travel(at);
         let look = self.search(way, at.dt);
         self.meet(at.dt, look);
         self.sum();
