@@ -129,15 +129,14 @@ impl Behaviour {
         let (law, slope) = self.press(point, at.gap);
         // What closes in the next increment is to find one that is stable with it: a spring met at full speed in a longer one
         // gives back more than it took.
-        let coming = if at.closing > 0.0 { self.press(point, at.gap - at.closing).1 } else { 0.0 };
+        let (soon, coming) = if at.closing > 0.0 { self.press(point, at.gap - at.closing) } else { (0.0, 0.0) };
         let stiffness = slope * point.measure;
         let most = stiffness.max(coming * point.measure);
         next.bonded = self.separation == Separation::Never && (point.bonded || law > 0.0);
         let acts = law > 0.0 || next.bonded;
         let mut pressure = law;
-        let mut damping = 0.0;
         if acts && at.dt > 0.0 {
-            damping = self.viscosity(point.measure, at.mass, stiffness);
+            let damping = self.viscosity(point.measure, at.mass, stiffness);
             pressure = law - damping * at.moved.dot(&at.normal) / at.dt / point.measure;
             if !next.bonded {
                 // It never pulls.
@@ -148,7 +147,8 @@ impl Behaviour {
         next.status = if acts { ContactStatus::Closed } else { ContactStatus::Open };
         next.force = at.normal * (pressure * point.measure);
         (next.elastic, next.shear) = (Vec3::zeros(), [0.0; 2]);
-        let mut rates = [most, damping.max(self.viscosity(point.measure, at.mass, most))];
+        let viscosity = if acts || soon > 0.0 { self.viscosity(point.measure, at.mass, most) } else { 0.0 };
+        let mut rates = [most, viscosity];
         let mut rubbed = 0.0;
         if let Some(friction) = &self.friction
             && acts

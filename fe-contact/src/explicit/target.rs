@@ -3,6 +3,7 @@
 use super::border::{borders, is_on_border};
 use super::carriers::Carriers;
 use super::foot::{DEEPEST, Foot};
+use crate::closest::EXTENSION;
 use crate::facet::Vec3;
 use crate::rigid::RigidSurface;
 use crate::search::{Bounds, Grid};
@@ -61,10 +62,6 @@ pub(super) struct Faces {
 
 /// Candidates lie within this part of the faces' mean size [-].
 const MARGIN: f64 = 0.5;
-
-/// How far beyond its border a surface goes on [-], of the faces' mean size: nodes at the border of both sides stay in contact as
-/// they give way along it (Abaqus Analysis User's Manual, Contact formulations, EXTENSION ZONE).
-const EXTENSION: f64 = 0.1;
 
 impl Faces {
     pub fn new(faces: &[Vec<u32>], carriers: &Carriers) -> Self {

@@ -25,6 +25,7 @@ mod balanced;
 mod bodies;
 mod bonded;
 mod border;
+mod foresight;
 mod general;
 mod impacts;
 mod kinematic;
