@@ -1,7 +1,8 @@
 //! The program: measures problems with known answers.
 
+use benchmarks::explicit::{self, general, impacts};
 use benchmarks::study::Options;
-use benchmarks::{card, compare, explicit, general, growth, hard, impacts, measure, problems, reading, study};
+use benchmarks::{card, compare, growth, hard, measure, problems, reading, study};
 use clap::{Parser, Subcommand};
 use std::error::Error;
 use std::ffi::OsString;

@@ -1,13 +1,12 @@
 //! Updates of elements a second, beside what the memory lets through.
 
+use super::bodies::solids;
 use crate::rows::median;
-use fe_core::Freedoms;
 use fe_core::element::ElementType::{self, C3D4, C3D8R};
-use fe_core::explicit::solid::{Hourglass, SolidSection, Solids};
+use fe_core::explicit::solid::Solids;
 use fe_core::explicit::{ExplicitTerm, Moving};
-use fe_core::material::{Damping, Elastic, Hardening, Response};
+use fe_core::material::{Elastic, Hardening, Response};
 use fe_core::structure::Structure;
-use fe_mesh::CellId;
 use fe_mesh::generate::Block;
 use rayon::prelude::*;
 use std::io::{self, Write};
@@ -29,22 +28,12 @@ struct Moved {
 
 /// A block whose material may yield, of so many cubes along each edge, every node at a speed of its own.
 fn block(element: ElementType, n: usize) -> Moved {
-    let mesh = if element == C3D4 { Block::tet4([n; 3]) } else { Block::hex8([n; 3]) }.mapped(|x| x);
-    let cells: Vec<CellId> = mesh.cells().collect();
+    let mesh = if element == C3D4 { Block::tet4([n; 3]) } else { Block::hex8([n; 3]) }.mesh();
     let structure = Structure { mesh, elements: vec![element], ..Structure::default() };
-    let freedoms: Freedoms = structure.freedoms(&[]);
+    let freedoms = structure.freedoms(&[]);
     let hardening = Hardening { points: vec![(400.0, 0.0), (500.0, 1.0)] };
-    let section = SolidSection {
-        element,
-        cells: &cells,
-        response: &Response::Plastic { elastic: Elastic { young: 210e3, poisson: 0.3 }, hardening },
-        density: 7.85e-9,
-        thickness: 1.0,
-        damping: Damping::default(),
-        hourglass: Hourglass::Enhanced(1.0),
-        viscosity: [0.06, 1.2],
-    };
-    let solids = Solids::new(&structure, &freedoms, &[section]);
+    let steel = Response::Plastic { elastic: Elastic { young: 210e3, poisson: 0.3 }, hardening };
+    let solids = solids(&structure, &freedoms, (&steel, 7.85e-9), [0.06, 1.2]);
     let freedoms = freedoms.len();
     let v = (0..freedoms).map(|f| ((f * 7919) % 1000) as f64 * 1e-3).collect();
     Moved { solids, v, u: vec![0.0; freedoms], forces: vec![0.0; freedoms] }

@@ -1,15 +1,18 @@
 //! How fast explicit steps are: elements alone beside what the memory lets through, and two bars that hit each other beside
-//! CalculiX.
+//! CalculiX; how general contact grows; what impacts lose.
 
 mod bars;
+mod bodies;
 mod elements;
+pub mod general;
+pub mod impacts;
 
 use crate::machine::Origin;
 use crate::study::Options;
 use std::error::Error;
 use std::io::Write;
 
-/// Measures both and prints a table each.
+/// Measures elements and bars, and prints a table each.
 pub fn study(options: &Options, out: &mut dyn Write) -> Result<(), Box<dyn Error>> {
     let origin = Origin::here();
     let Options { threads, runs, .. } = options;

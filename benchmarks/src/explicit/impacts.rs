@@ -1,25 +1,23 @@
 //! Kinematic contact and penalties side by side on impacts with closed solutions: a bar on a wall, two bars whose meshes do not
 //! match, a ball on a flat.
 
+use super::bodies::{hard, outer_faces, solids};
 use crate::machine::Origin;
-use fe_contact::explicit::{
-    Behaviour, ContactPair, Definition, Enforcement, MainSurface, Normal, PairSides, Secondary, Separation,
-};
-use fe_contact::facet::{Facet, Vec3};
+use fe_contact::explicit::{ContactPair, Definition, Enforcement, MainSurface, PairSides, Secondary};
 use fe_contact::rigid::{Piece, RigidSurface, Sweep};
 use fe_contact::summary::MeasureKind;
 use fe_contact::viscous::ExplicitDamping;
 use fe_core::Freedoms;
 use fe_core::element::ElementType::C3D8R;
 use fe_core::explicit::central_difference::{CentralDifference, State, Support};
-use fe_core::explicit::solid::{Hourglass, SolidSection, Solids};
+use fe_core::explicit::solid::Solids;
 use fe_core::explicit::{ExplicitTerm, Halt};
 use fe_core::load::Prescribed;
-use fe_core::material::{Damping, Elastic, Response};
+use fe_core::material::{Elastic, Response};
 use fe_core::ramp::Ramp;
 use fe_core::structure::Structure;
+use fe_mesh::Mesh;
 use fe_mesh::generate::Block;
-use fe_mesh::{CellId, Mesh, exterior};
 use std::error::Error;
 use std::f64::consts::PI;
 use std::io::Write;
@@ -129,17 +127,21 @@ pub fn two_bars() -> Scene {
     let size = [2.0, 2.0, length];
     mesh.append(&Block::hex8([3, 3, 3 * BAR / 2]).size(size).origin([0.0, 0.0, -length]).mesh());
     let nodes = [at_height(&mesh, 0..first), at_height(&mesh, first..mesh.points.len())];
-    let faces = nodes.each_ref().map(|nodes| MainSurface::Faces(faces_between(&mesh, nodes)));
-    let [upper, lower] = faces;
-    let [secondary, other] = nodes;
+    let structure = Structure { mesh, elements: vec![C3D8R], ..Structure::default() };
+    let faces = outer_faces(&structure);
+    let sides = nodes.map(|nodes| {
+        let own = faces.iter().filter(|face| face.iter().all(|node| nodes.contains(node))).cloned();
+        let main = MainSurface::Faces(own.collect());
+        (nodes, Some(main))
+    });
     Scene {
-        structure: Structure { mesh, elements: vec![C3D8R], ..Structure::default() },
+        structure,
         material: Response::Elastic(Elastic { young: 1.0, poisson: 0.0 }),
         density: 1.0,
         first,
         held: Vec::new(),
         speed: SPEED,
-        sides: [(secondary, Some(upper)), (other, Some(lower))],
+        sides,
         impulse: 4.0 * length * SPEED,
         period: 2.6 * length,
     }
@@ -193,26 +195,13 @@ fn at_height(mesh: &Mesh, range: std::ops::Range<usize>) -> Vec<u32> {
     range.filter(|&node| mesh.points[node][2].abs() < 1e-9).map(|node| node as u32).collect()
 }
 
-/// The faces of cells that have all of their nodes among these, seen from outside.
-fn faces_between(mesh: &Mesh, nodes: &[u32]) -> Vec<Vec<u32>> {
-    let bodies = Structure { mesh: mesh.clone(), elements: vec![C3D8R; mesh.blocks.len()], ..Structure::default() };
-    let faces = exterior(mesh).into_iter().map(|face| Facet::new(&bodies, face, None, &Vec3::zeros()).nodes().to_vec());
-    faces.filter(|face| face.iter().all(|node| nodes.contains(node))).collect()
-}
-
 impl Scene {
     fn pairs(&self, freedoms: &Freedoms, way: Way) -> PairSides {
         let both = self.sides.iter().all(|side| side.1.is_some() && !side.0.is_empty());
         let parts = if both && way != Way::Kinematic { vec![0.5, 0.5] } else { vec![1.0] };
         let pair = |(side, part): (usize, f64)| {
             let main = self.sides[1 - side].1.clone().expect("the other side is a surface");
-            let behaviour = Behaviour {
-                normal: Normal::Hard,
-                separation: Separation::Allowed,
-                friction: None,
-                shear_slope: None,
-                damping: (way == Way::Penalty).then(ExplicitDamping::default),
-            };
+            let behaviour = hard((way == Way::Penalty).then(ExplicitDamping::default));
             let nodes = self.sides[side].0.iter().map(|&node| (node, part)).collect();
             let enforcement =
                 if way == Way::Penalty { Enforcement::Penalty(part) } else { Enforcement::Kinematic(part) };
@@ -228,18 +217,7 @@ impl Scene {
         let mut references: Vec<u32> = self.held.iter().filter(|h| h.1 == 5).map(|h| h.0).collect();
         references.dedup();
         let freedoms = self.structure.freedoms(&references);
-        let cells: Vec<CellId> = self.structure.mesh.cells().collect();
-        let section = SolidSection {
-            element: C3D8R,
-            cells: &cells,
-            response: &self.material,
-            density: self.density,
-            thickness: 1.0,
-            damping: Damping::default(),
-            hourglass: Hourglass::Enhanced(1.0),
-            viscosity: [0.0; 2],
-        };
-        let mut solids = Solids::new(&self.structure, &freedoms, &[section]);
+        let mut solids = solids(&self.structure, &freedoms, (&self.material, self.density), [0.0; 2]);
         let mut pairs = self.pairs(&freedoms, way);
         let mut state = State::rest(&freedoms);
         let down: Vec<usize> = (0..self.first).filter_map(|node| freedoms.index(node, 2)).collect();

@@ -1,21 +1,18 @@
 //! How general contact grows with its facets: a cloud of cubes that fly about and hit each other, twice as many from row to row.
 
+use super::bodies::{hard, outer_faces, solids};
 use crate::fit;
 use crate::machine::Origin;
-use fe_contact::explicit::{
-    Acting, Behaviour, Between, GeneralContact, GeneralCount, GeneralDefinition, GeneralFace, Normal, Separation, Sides,
-};
-use fe_contact::facet::{Facet, Vec3};
+use fe_contact::explicit::{Acting, Between, GeneralContact, GeneralCount, GeneralDefinition, GeneralFace, Sides};
 use fe_contact::viscous::ExplicitDamping;
 use fe_core::Freedoms;
 use fe_core::element::ElementType::C3D8R;
 use fe_core::explicit::central_difference::{CentralDifference, State};
-use fe_core::explicit::solid::{Hourglass, SolidSection, Solids};
 use fe_core::explicit::{Advance, ExplicitTerm, Halt, Moving};
-use fe_core::material::{Damping, Elastic, Response};
+use fe_core::material::{Elastic, Response};
 use fe_core::structure::Structure;
+use fe_mesh::Mesh;
 use fe_mesh::generate::Block;
-use fe_mesh::{CellId, Mesh, exterior};
 use std::error::Error;
 use std::io::Write;
 use std::time::Instant;
@@ -140,22 +137,12 @@ fn cloud(count: usize) -> Structure {
 }
 
 fn contact(structure: &Structure, freedoms: &Freedoms) -> GeneralContact {
-    let of = |face| {
-        let facet = Facet::new(structure, face, None, &Vec3::zeros());
-        GeneralFace { nodes: facet.nodes().to_vec(), sides: Sides::Outer, class: 0 }
-    };
-    let behaviour = Behaviour {
-        normal: Normal::Hard,
-        separation: Separation::Allowed,
-        friction: None,
-        shear_slope: None,
-        damping: Some(ExplicitDamping::default()),
-    };
+    let face = |nodes| GeneralFace { nodes, sides: Sides::Outer, class: 0 };
     let definition = GeneralDefinition {
         name: "general contact".into(),
-        faces: exterior(&structure.mesh).into_iter().map(of).collect(),
+        faces: outer_faces(structure).into_iter().map(face).collect(),
         table: vec![vec![Between::Acting(Acting { behaviour: 0, scale: 0 })]],
-        behaviours: vec![behaviour],
+        behaviours: vec![hard(Some(ExplicitDamping::default()))],
         scales: vec![1.0],
     };
     GeneralContact::new(structure, freedoms, &definition, &[])
@@ -165,18 +152,7 @@ fn contact(structure: &Structure, freedoms: &Freedoms) -> GeneralContact {
 fn measured(bodies: usize) -> Result<Row, Halt> {
     let structure = cloud(bodies);
     let freedoms = structure.freedoms(&[]);
-    let cells: Vec<CellId> = structure.mesh.cells().collect();
-    let section = SolidSection {
-        element: C3D8R,
-        cells: &cells,
-        response: &STEEL,
-        density: 1.0,
-        thickness: 1.0,
-        damping: Damping::default(),
-        hourglass: Hourglass::Enhanced(1.0),
-        viscosity: [0.06, 1.2],
-    };
-    let mut solids = Solids::new(&structure, &freedoms, &[section]);
+    let mut solids = solids(&structure, &freedoms, (&STEEL, 1.0), [0.06, 1.2]);
     let mut general = Timed { term: contact(&structure, &freedoms), seconds: 0.0 };
     let mut state = State::rest(&freedoms);
     let mut next = numbers();
@@ -211,5 +187,5 @@ fn measured(bodies: usize) -> Result<Row, Halt> {
     let search = searching[0] - searching[1] * other[0] / other[1].max(1.0);
     let count = general.term.count();
     let seconds = [all, within, search].map(|sum| sum / 300.0);
-    Ok(Row { facets: count.faces, elements: cells.len(), seconds, count })
+    Ok(Row { facets: count.faces, elements: solids.count(), seconds, count })
 }
