@@ -49,9 +49,10 @@ impl Explicit {
 /// Where the size of an explicit increment comes from.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum IncrementChoice {
-    /// The highest frequency of the whole model.
+    /// What is not below the highest frequency of the whole model: of solids that of all together
+    /// ([`crate::explicit::solid::Solids::together`]), of members that of the fastest.
     Global,
-    /// The highest frequency of any element by itself, which is never lower.
+    /// The highest frequency of any element by itself, which is not below that of the whole model, either.
     ElementByElement,
     /// The deck, [T].
     Fixed(f64),

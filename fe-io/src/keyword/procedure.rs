@@ -46,7 +46,7 @@ pub const DYNAMIC: Keyword = Keyword {
         Parameter::flag("DIRECT USER CONTROL", "all increments as long as the data line says"),
         Parameter::flag(
             "ELEMENT BY ELEMENT",
-            "increments that the fastest element by itself bears; those of the whole model without it",
+            "increments that the fastest element by itself bears; those that all solids bear together without it",
         ),
         Parameter::of("SCALE FACTOR", Kind::Number, "factor on the stable increment; 1"),
         Parameter::not_yet("FIXED TIME INCREMENTATION", "say `DIRECT USER CONTROL` and the increment"),

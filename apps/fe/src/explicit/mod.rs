@@ -22,6 +22,7 @@ use fe_core::explicit::central_difference::{CentralDifference, State, Support};
 use fe_core::explicit::{Advance, Halt};
 use fe_core::procedure::Converged;
 use fe_core::step::{Explicit, IncrementChoice, Procedure};
+use fe_core::structure::Structure;
 use fe_io::Model;
 use fe_io::model::Step;
 use record::{Left, Record, Turn};
@@ -258,7 +259,7 @@ impl Run<'_> {
                     "the stable increment has shrunk from {} to {}{}",
                     scientific(self.largest, 4),
                     scientific(stable.stable, 4),
-                    of_element(self.scene, stable)
+                    of_element(&self.scene.structure, stable)
                 ),
                 help: "an element is pressed flat: a finer mesh there, a stiffer law, or less of what presses it",
             });
@@ -278,7 +279,7 @@ impl Run<'_> {
                 "; the increment, {}, is longer than the stable one, {}{}",
                 scientific(dt, 4),
                 scientific(stable.increment(), 4),
-                of_element(self.scene, stable)
+                of_element(&self.scene.structure, stable)
             );
         }
         Halted { reason, help: "smaller increments (SCALE FACTOR, DIRECT USER CONTROL), or a motion that has an end" }
@@ -302,9 +303,9 @@ struct Halted {
     help: &'static str,
 }
 
-/// `, by element 7`, where one limits the increment.
-fn of_element(scene: &Scene, stable: &Advance) -> String {
-    stable.element.map_or(String::new(), |cell| format!(", by element {}", scene.structure.mesh.cell_name(cell)))
+/// `, fastest element 7`.
+fn of_element(structure: &Structure, stable: &Advance) -> String {
+    stable.element.map_or(String::new(), |cell| format!(", fastest element {}", structure.mesh.cell_name(cell)))
 }
 
 fn moment<'a>(

@@ -1,7 +1,7 @@
 //! What an explicit step needs, and what it does not.
 
-use super::explicit;
 use super::scene::Scene;
+use super::{explicit, of_element};
 use crate::number::scientific;
 use crate::plan::Plan;
 use fe_contact::explicit::{Adjusted, GeneralContact};
@@ -54,8 +54,8 @@ pub fn plan(scene: &Scene, step: &Step, prescribed: usize, procedure: &CentralDi
         ));
     }
     let advance = procedure.stable();
-    let by = advance.element.map_or(String::new(), |cell| format!(", by element {}", structure.mesh.cell_name(cell)));
-    needs.push(("stable".into(), format!("{} at the start{by}", scientific(advance.increment(), 6))));
+    let fastest = of_element(structure, &advance);
+    needs.push(("stable".into(), format!("{} at the start{fastest}", scientific(advance.increment(), 6))));
     for pair in scene.contacts() {
         let (name, (points, law)) = (pair.label(), pair.in_words());
         needs.push(("contact pair".into(), format!("{name}, by forces at {points} nodes: {law}")));
@@ -109,11 +109,10 @@ fn in_words(step: &Explicit) -> String {
     let increments = match step.increment {
         IncrementChoice::Fixed(dt) => format!("increments of {}", scientific(dt, 6)),
         IncrementChoice::Global => {
-            let global = "the frequency of the whole model is not estimated";
-            format!("increments of {:.3} of the stable one, element by element: {global}", step.scale)
+            format!("increments of {:.3} of the stable one of all solids together", step.scale)
         }
         IncrementChoice::ElementByElement => {
-            format!("increments of {:.3} of the stable one, element by element", step.scale)
+            format!("increments of {:.3} of the stable one of the fastest element", step.scale)
         }
     };
     let [linear, quadratic] = step.bulk_viscosity;

@@ -16,7 +16,7 @@ use fe_core::explicit::mass_damping::MassDamping;
 use fe_core::explicit::solid::{self, Hourglass, SolidSection, Solids};
 use fe_core::external::ExternalForces;
 use fe_core::section::{self, HourglassControl};
-use fe_core::step::Explicit;
+use fe_core::step::{Explicit, IncrementChoice};
 use fe_core::structure::{LineSection, Structure};
 use fe_io::Model;
 use fe_io::model::{ActivePair, Step};
@@ -100,8 +100,11 @@ impl Scene {
         let external = course
             .external(&self.structure, &self.freedoms)
             .map_err(|error| JobFailure::Deck(format!("{}:{}: {error}", step.place.file, step.place.line)))?;
-        let viscosity = explicit(step).expect("all steps are explicit").bulk_viscosity;
-        self.solids.iter_mut().for_each(|solids| solids.damp(viscosity));
+        let Explicit { increment, bulk_viscosity: viscosity, .. } = explicit(step).expect("all steps are explicit");
+        if let Some(solids) = &mut self.solids {
+            solids.damp(viscosity);
+            solids.together(increment == IncrementChoice::Global);
+        }
         self.lines.iter_mut().for_each(|lines| lines.damp(viscosity[0]));
         self.solids.iter_mut().for_each(|solids| solids.measure(mass_scaling::aims(step)));
         let worked = self.loads.stored();

@@ -41,7 +41,7 @@ pub(super) struct Run<'a> {
     pub factors: Option<&'a [f64]>,
     /// Stable increments [T] of the elements by themselves, where they are asked for.
     pub increments: Option<&'a mut [f64]>,
-    /// Internal forces [F] on the local nodes, to which those of the elements are added.
+    /// Internal forces [F] on the local nodes and stiffness [F/L] there, to which those of the elements are added.
     pub forces: &'a mut [[f64; 4]],
 }
 
@@ -51,6 +51,8 @@ pub(super) struct Outcome {
     pub energies: Energies,
     /// Largest stable increment [T], and the element it is of.
     pub stable: (f64, usize),
+    /// The largest 2ξω [1/T] of an element.
+    pub damping: f64,
     /// The first element turned inside out.
     pub inverted: Option<usize>,
 }
@@ -58,10 +60,14 @@ pub(super) struct Outcome {
 /// What an increment made of eight elements.
 pub(super) struct Batch<const N: usize> {
     pub forces: [Vector; N],
+    /// What the element's stiffness at each node is not above, as a form in the motions of all nodes [F/L].
+    pub stiffness: [Lanes; N],
     /// Internal, plastic, hourglass, viscous.
     pub energies: [Lanes; 4],
     /// Volume, of an element or about a point of it: the least counts.
     pub volume: Lanes,
+    /// 2ξω [1/T] and the stable increment [T].
+    pub damping: Lanes,
     pub stable: Lanes,
 }
 
@@ -99,7 +105,8 @@ pub(super) fn all<const N: usize>(
 ) -> Outcome {
     let Run { common, count, places, reference, factors, mut increments, forces, .. } = run;
     let mut sums = [Lanes::ZERO; 4];
-    let mut outcome = Outcome { energies: Energies::default(), stable: (f64::INFINITY, 0), inverted: None };
+    let (energies, stable) = (Energies::default(), (f64::INFINITY, 0));
+    let mut outcome = Outcome { energies, stable, damping: 0.0, inverted: None };
     let mut start = [[Lanes::ZERO; 3]; N];
     for (b, (nodes, state)) in nodes.iter().zip(state).enumerate() {
         let (x, du) = (gather(nodes, |n| places[n].x), gather(nodes, |n| places[n].du));
@@ -116,7 +123,12 @@ pub(super) fn all<const N: usize>(
         for lane in 0..real {
             let (element, own) = (b * LANES + lane, batch.stable.0[lane]);
             increments.iter_mut().for_each(|increments| increments[element] = own);
-            let stable = factors.map_or(own, |factors| raised(own, factors[element], common.viscosity[0]));
+            let (mut stable, mut damping) = (own, batch.damping.0[lane]);
+            if let Some(factors) = factors {
+                stable = raised(own, factors[element], common.viscosity[0]);
+                damping /= factors[element];
+            }
+            outcome.damping = outcome.damping.max(damping);
             if stable < outcome.stable.0 {
                 outcome.stable = (stable, element);
             }
@@ -129,6 +141,7 @@ pub(super) fn all<const N: usize>(
             for a in 0..N {
                 let force = &mut forces[nodes[a][lane] as usize];
                 (0..3).for_each(|c| force[c] += batch.forces[a][c].0[lane]);
+                force[3] += batch.stiffness[a].0[lane];
             }
         }
     }

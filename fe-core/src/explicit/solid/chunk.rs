@@ -164,8 +164,14 @@ impl Chunk {
         self.nodes.iter().copied()
     }
 
+    /// Internal force [F] on a local node, and its elements' stiffness [F/L].
     pub fn force(&self, local: u32) -> &[f64; 4] {
         &self.forces[local as usize]
+    }
+
+    /// Mass [M] of a local node.
+    pub fn mass(&self, local: u32) -> f64 {
+        self.masses[local as usize]
     }
 
     /// Adds the masses of the nodes to their freedoms.

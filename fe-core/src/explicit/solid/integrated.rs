@@ -183,7 +183,14 @@ impl<const N: usize, const P: usize> Integrated<N, P> {
 
         let square = square(&around, &mean, (volume, mass, &own[2..]), [lambda, mu]);
         let zero = Lanes::ZERO;
-        let mut out = Batch { forces: [[zero; 3]; N], energies: [zero; 4], volume: around[0].volume, stable: zero };
+        let mut out = Batch {
+            forces: [[zero; 3]; N],
+            stiffness: std::array::from_fn(|a| square * mass * own[2 + a]),
+            energies: [zero; 4],
+            volume: around[0].volume,
+            damping: zero,
+            stable: zero,
+        };
         for (around, point) in around.iter().zip(&points) {
             let Moved { motion, stress, work, dissipated, middle } = point;
             let viscosity = Viscosity::new(common, dt, (volume, mass), (motion, square), false);
@@ -191,7 +198,8 @@ impl<const N: usize, const P: usize> Integrated<N, P> {
             out.energies[1] += *dissipated;
             out.energies[3] += viscosity.work * *middle;
             out.volume = -(-out.volume).max(-around.volume);
-            out.stable = viscosity.stable;
+            // The volume opens at all points alike.
+            (out.damping, out.stable) = (viscosity.damping, viscosity.stable);
             let mut all = *stress;
             (0..6).for_each(|i| all[i] = (all[i] + viscosity.stress[i]) * around.volume);
             let t = full(&all);

@@ -136,11 +136,11 @@ pub(super) fn batch<S: Shape<N, H>, const N: usize, const H: usize, const FUSED:
     let volume = geometry.volume;
     let middle = volume * (Lanes::splat(1.0) - motion.opened() * 0.5);
 
-    // ω² ≤ V/m_least (2μ a + λ Σ(∂V/∂x)²/V²) with a ≥ the largest eigenvalue of A: equality for cubes and blocks with one short
-    // side.
+    // No stiffness is above V (2μ a + λ Σ(∂V/∂x)²/V²) with a ≥ the largest eigenvalue of A: equality for cubes and blocks with one
+    // short side.
     let [lambda, mu] = done.moduli;
-    let square =
-        volume * lightest / mass * (geometry.largest * mu * 2.0 + geometry.divergence * lambda.max(Lanes::ZERO));
+    let stiffness = volume * (geometry.largest * mu * 2.0 + geometry.divergence * lambda.max(Lanes::ZERO));
+    let square = stiffness * lightest / mass;
     let viscosity = Viscosity::new(common, dt, (volume, mass), (&motion, square), S::SPACE == Space::PlaneStress);
 
     // V σ, less what the hourglass forces have of a constant gradient.
@@ -150,7 +150,9 @@ pub(super) fn batch<S: Shape<N, H>, const N: usize, const H: usize, const FUSED:
     let mut out = Batch {
         forces: [[Lanes::ZERO; 3]; N],
         energies: [done.work * middle, done.dissipated * middle, Lanes::ZERO, viscosity.work * middle],
+        stiffness: [stiffness; N],
         volume,
+        damping: viscosity.damping,
         stable: viscosity.stable,
     };
     for k in 0..H {

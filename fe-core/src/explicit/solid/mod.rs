@@ -110,8 +110,12 @@ pub struct Solids {
     nodes: Vec<(u32, u32)>,
     /// Chunk and local node, node after node.
     slots: Vec<(u32, u32)>,
-    /// Internal forces of these nodes [F].
-    sums: Vec<[f64; 3]>,
+    /// Internal forces of these nodes [F], and their elements' stiffness [F/L].
+    sums: Vec<[f64; 4]>,
+    /// 1 over the masses [1/M] that they have of solids.
+    inverse_mass: Vec<f64>,
+    /// True where the stable increment is that of all elements together.
+    together: bool,
     energies: Energies,
     /// Translations of a node.
     dimension: usize,
@@ -151,8 +155,18 @@ impl Solids {
             }
         }
         let slots = places.into_iter().map(|(_, chunk, local)| (chunk, local)).collect();
-        let (sums, energies) = (vec![[0.0; 3]; nodes.len()], Energies::default());
-        Solids { chunks, sums, nodes, slots, energies, dimension: structure.dimension() }
+        let (sums, inverse_mass) = (vec![[0.0; 4]; nodes.len()], vec![0.0; nodes.len()]);
+        let (energies, dimension) = (Energies::default(), structure.dimension());
+        let mut solids = Solids { chunks, sums, inverse_mass, together: false, nodes, slots, energies, dimension };
+        solids.weigh_nodes();
+        solids
+    }
+
+    fn weigh_nodes(&mut self) {
+        for (n, inverse) in self.inverse_mass.iter_mut().enumerate() {
+            let own = places_of(&self.nodes, &self.slots, n);
+            *inverse = 1.0 / own.iter().map(|&(chunk, local)| self.chunks[chunk as usize].mass(local)).sum::<f64>();
+        }
     }
 
     /// From now on with another linear and quadratic bulk viscosity [-].
@@ -173,6 +187,14 @@ impl Solids {
     /// From now on with so many times its mass in each element.
     pub fn scale(&mut self, factor: &dyn Fn(CellId) -> f64) {
         self.chunks.iter_mut().for_each(|chunk| chunk.scale(factor));
+        self.weigh_nodes();
+    }
+
+    /// From now on with the stable increment that all elements bear together, where that is longer, or with that of the fastest
+    /// by itself. With K ≤ κ on the nodes of each element, v·K v ≤ Σ_a v_a² Σ κ of the elements at a: no ω² is above the largest
+    /// Σ κ/m_a, a mean of what the elements at a node have. Damping is at most the largest of an element.
+    pub fn together(&mut self, wanted: bool) {
+        self.together = wanted;
     }
 
     /// From now on with the stable increments of all elements, or without.
@@ -201,17 +223,23 @@ impl Solids {
         self.chunks.iter().flat_map(Chunk::states)
     }
 
-    /// Forces of all chunks on each node.
+    /// What all elements bear together, where that is longer than what the fastest bears by itself.
+    fn bounded(&self, by_element: Advance, damping: f64) -> Advance {
+        let of_node = |(sum, inverse): (&[f64; 4], &f64)| sum[3] * inverse;
+        let square = self.sums.iter().zip(&self.inverse_mass).map(of_node).fold(0.0, f64::max);
+        let together = Advance { stable: 2.0 / square.sqrt(), damping, ..by_element };
+        if together.increment() > by_element.increment() { together } else { by_element }
+    }
+
+    /// Forces and stiffness of all chunks at each node.
     fn sum(&mut self) {
         let (chunks, nodes, slots) = (&self.chunks, &self.nodes, &self.slots);
-        let of_node = |(n, sum): (usize, &mut [f64; 3])| {
-            let end = nodes.get(n + 1).map_or(slots.len(), |next| next.1 as usize);
-            let mut total = [0.0; 3];
-            for &(chunk, local) in &slots[nodes[n].1 as usize..end] {
-                let force = chunks[chunk as usize].force(local);
-                (0..3).for_each(|c| total[c] += force[c]);
+        let of_node = |(n, sum): (usize, &mut [f64; 4])| {
+            *sum = [0.0; 4];
+            for &(chunk, local) in places_of(nodes, slots, n) {
+                let own = chunks[chunk as usize].force(local);
+                (0..4).for_each(|c| sum[c] += own[c]);
             }
-            *sum = total;
         };
         if chunks.len() == 1 {
             self.sums.iter_mut().enumerate().for_each(of_node);
@@ -219,6 +247,12 @@ impl Solids {
             self.sums.par_iter_mut().enumerate().with_min_len(4096).for_each(of_node);
         }
     }
+}
+
+/// Chunk and local node of each place of a node.
+fn places_of<'a>(nodes: &[(u32, u32)], slots: &'a [(u32, u32)], n: usize) -> &'a [(u32, u32)] {
+    let end = nodes.get(n + 1).map_or(slots.len(), |next| next.1 as usize);
+    &slots[nodes[n].1 as usize..end]
 }
 
 impl ExplicitTerm for Solids {
@@ -237,11 +271,13 @@ impl ExplicitTerm for Solids {
             self.chunks.par_iter_mut().map(|chunk| chunk.advance(at)).collect()
         };
         let mut advance = Advance::default();
+        let mut damping: f64 = 0.0;
         for (chunk, outcome) in self.chunks.iter().zip(outcomes) {
             if let Some(element) = outcome.inverted {
                 return Err(Halt::Inverted { cell: chunk.cell(element) });
             }
             self.energies += outcome.energies;
+            damping = damping.max(outcome.damping);
             if outcome.stable.0 < advance.stable {
                 (advance.stable, advance.element) = (outcome.stable.0, Some(chunk.cell(outcome.stable.1)));
             }
@@ -250,7 +286,7 @@ impl ExplicitTerm for Solids {
         for (&(first, _), sum) in self.nodes.iter().zip(&self.sums) {
             (0..self.dimension).for_each(|c| forces[first as usize + c] -= sum[c]);
         }
-        Ok(advance)
+        Ok(if self.together { self.bounded(advance, damping) } else { advance })
     }
 
     fn stored(&self) -> f64 {

@@ -10,6 +10,8 @@ pub(super) struct Viscosity {
     pub stress: Symmetric,
     /// Work per volume [F/L²] that it takes.
     pub work: Lanes,
+    /// 2ξω [1/T].
+    pub damping: Lanes,
     /// The stable increment [T] that is left of 2/ω: 2/ω (√(1 + ξ²) − ξ).
     pub stable: Lanes,
 }
@@ -54,6 +56,6 @@ impl Viscosity {
             work += (stress[3] * e[3] + stress[4] * e[4] + stress[5] * e[5]) * 2.0;
         }
         let stable = free * ((fraction * fraction + Lanes::splat(1.0)).sqrt() - fraction);
-        Viscosity { stress, work, stable }
+        Viscosity { stress, work, damping: fraction * free * square, stable }
     }
 }

@@ -14,6 +14,7 @@ mod plane;
 mod rubber;
 mod scene;
 mod speed;
+mod together;
 
 /// A unit block with its inner nodes moved; away from the axis.
 fn distorted(x: [f64; 3]) -> [f64; 3] {

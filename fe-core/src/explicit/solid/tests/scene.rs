@@ -149,3 +149,32 @@ impl Scene {
         (0..self.freedoms.nodes()).filter_map(move |node| self.freedoms.index(node, component))
     }
 }
+
+/// The stable increment of small motions about a state: 2/ω of the largest eigenvalue of the stiffness, by differences of the
+/// forces.
+pub fn exact(scene: impl Fn() -> Scene, place: impl Fn(Vector3<f64>) -> Vector3<f64>) -> f64 {
+    let first = scene();
+    let n = first.u.len();
+    let mut mass = vec![0.0; n];
+    first.solids.add_mass(&mut mass);
+    let mut stiffness = nalgebra::DMatrix::zeros(n, n);
+    let step = 1e-5;
+    for f in 0..n {
+        let (node, c) = (first.freedoms.node(f), first.freedoms.component(f));
+        let moved = Vector3::from(first.structure.mesh.points[node]);
+        let [plus, minus] = [1.0, -1.0].map(|sign| {
+            let mut scene = scene();
+            scene.go(1.0, |x| {
+                let mut to = place(x);
+                to[c] += if x == moved { sign * step } else { 0.0 };
+                to
+            });
+            scene.forces
+        });
+        for g in 0..n {
+            stiffness[(g, f)] = (minus[g] - plus[g]) / (2.0 * step) / (mass[f] * mass[g]).sqrt();
+        }
+    }
+    let symmetric = (&stiffness + stiffness.transpose()) * 0.5;
+    2.0 / symmetric.symmetric_eigenvalues().max().sqrt()
+}
