@@ -151,3 +151,25 @@ fn pressure_times_area_is_the_force() {
     assert!(!stress.is_empty() && stress.len() == gap.len() && stress.iter().any(|t| t.rows.len() > 3));
     assert_eq!(of("total surface force").len(), stress.len());
 }
+
+/// The area of the nodes of plane sections is the length of their edges times the thickness, of rings 2πr of it: more of it at
+/// the outer node.
+#[test]
+fn edges_count_for_their_depth() {
+    let areas = |element: &str| -> Vec<f64> {
+        let deck = format!(
+            "*NODE, NSET=ALL\n1, 1., 1.\n2, 3., 1.\n3, 3., 2.\n4, 1., 2.\n9, 0., 0.\n*ELEMENT, TYPE={element}, ELSET=E\n1, 1, 2, 3, 4\n\
+             *MATERIAL, NAME=M\n*ELASTIC\n1000., 0.\n*DENSITY\n1.\n*SOLID SECTION, ELSET=E, MATERIAL=M\n0.25\n*SURFACE, NAME=FOOT\n1, S1\n\
+             *SURFACE, NAME=FLOOR, TYPE=SEGMENTS\nSTART, -9., 0.\nLINE, 9., 0.\n*RIGID BODY, ANALYTICAL SURFACE=FLOOR, REF NODE=9\n\
+             *BOUNDARY\n9, 1, 6\n*STEP\n*DYNAMIC, EXPLICIT\n, 1e-3\n*CONTACT PAIR\nFOOT, FLOOR\n*OUTPUT, FIELD\n\
+             *CONTACT OUTPUT\nCNAREA\n*END STEP\n"
+        );
+        let deck = if element == "CAX4R" { deck.replace("MATERIAL=M\n0.25\n", "MATERIAL=M\n") } else { deck };
+        Job::run("depth", &deck).results().point_field("CNAREA", 1, 0)[..2].to_vec()
+    };
+    let thirds = |a: f64, b: f64| std::f64::consts::TAU * 2.0 * (2.0 * a + b) / 6.0;
+    for (element, expected) in [("CPS4R", [0.25, 0.25]), ("CAX4R", [thirds(1.0, 3.0), thirds(3.0, 1.0)])] {
+        let found = areas(element);
+        assert!(found.iter().zip(expected).all(|(f, e)| (f - e).abs() < SUM * e), "{element} {found:?} {expected:?}");
+    }
+}

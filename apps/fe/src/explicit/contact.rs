@@ -7,7 +7,7 @@ use fe_contact::explicit::{
     Behaviour, ContactPair, Definition, Enforcement, MainSurface, Normal, PairSides, RigidFollower, Secondary,
     Separation, Unsettled,
 };
-use fe_contact::facet::{Facet, Vec3};
+use fe_contact::facet::{Facet, Rules, Vec3};
 use fe_contact::friction::{Coulomb, Friction, Spring, Stick};
 use fe_contact::interaction::{Interaction, NormalBehavior};
 use fe_contact::pair::{ExplicitPair, MechanicalConstraint};
@@ -211,16 +211,21 @@ fn faces_of(scene: &Scene, faces: &[Face]) -> MainSurface {
     MainSurface::Faces(faces.iter().map(corners).collect())
 }
 
-/// Nodes with the area of the faces around them, an equal share of each; the length of lines; or 1.
+/// Nodes with the area of the faces around them that the corners' hat functions give them; the length of lines; or 1.
 fn secondary(structure: &Structure, side: &surface::Secondary) -> Secondary {
     let mesh = &structure.mesh;
     let mut measures: BTreeMap<u32, f64> = BTreeMap::new();
     match side {
         surface::Secondary::Faces(faces) => {
+            let rules = Rules::new(3);
             for &face in faces {
                 let facet = Facet::new(structure, face, None, &Vec3::zeros());
-                let nodes = &facet.nodes()[..facet.corners()];
-                nodes.iter().for_each(|&n| *measures.entry(n).or_default() += facet.area / nodes.len() as f64);
+                for &([xi, eta, _], w) in rules.of(&facet) {
+                    let xi = [xi, eta];
+                    let area = facet.area_vector(xi).norm() * w * facet.factor(&facet.position(xi));
+                    let corners = facet.nodes()[..facet.corners()].iter().zip(facet.hats(xi));
+                    corners.for_each(|(&n, hat)| *measures.entry(n).or_default() += area * hat);
+                }
             }
         }
         surface::Secondary::Lines(cells) => {
