@@ -65,8 +65,8 @@ impl Row {
             if at.is_prescribed[f] {
                 held += d * at.v[f];
                 react(f, self.impulse * d / at.mean);
-            } else {
-                at.u[f] += self.impulse * gain * at.dt;
+            } else if self.impulse != 0.0 && *gain != 0.0 {
+                at.settle(f, self.impulse * gain);
             }
         }
         -0.5 * self.impulse * (self.before + self.rate(at) - 2.0 * held)

@@ -61,6 +61,8 @@ pub struct CentralDifference {
     triads: Vec<Triad>,
     supports: Vec<Support>,
     is_prescribed: Vec<bool>,
+    /// Freedoms that impulses have moved in the last increment.
+    corrected: Vec<usize>,
     period: f64,
     advance: Advance,
 }
@@ -84,7 +86,7 @@ impl CentralDifference {
         let at =
             Moving { u: &state.u, v: &state.v, step_time: 0.0, total_time: state.total_time, dt: 0.0, stable: most };
         let advance = act(terms, &at, &mut state.force)?;
-        Ok(CentralDifference { mass, triads, supports, is_prescribed, period, advance })
+        Ok(CentralDifference { mass, triads, supports, is_prescribed, corrected: Vec::new(), period, advance })
     }
 
     /// Goes on with other masses of the terms, with which the elements are stable up to another increment [T]. Velocities stay: what
@@ -130,6 +132,7 @@ impl CentralDifference {
             triad.accelerate(state, (dt, mean), &self.is_prescribed)?;
         }
         state.u.iter_mut().zip(&state.v).for_each(|(u, v)| *u += v * dt);
+        self.corrected.clear();
         let mut predicted = Predicted {
             u: &mut state.u,
             v: &mut state.v,
@@ -139,6 +142,7 @@ impl CentralDifference {
             dt,
             mean,
             triads: &self.triads,
+            corrected: &mut self.corrected,
         };
         terms.iter_mut().for_each(|term| term.correct(&mut predicted));
         for triad in &mut self.triads {
@@ -214,13 +218,15 @@ impl CentralDifference {
         (0..state.v.len()).map(each).sum::<f64>() + self.tensors().map(turning).sum::<f64>()
     }
 
-    /// Velocity [L/T or 1/T] at the end of the last increment.
+    /// Velocity [L/T or 1/T] at the end of the last increment. Forces do not act alone on what impulses have moved: the next ones
+    /// answer them, and what lies on a wall is at rest. There the velocity in the middle stands, ½ a Δt off.
     pub fn velocity(&self, state: &State) -> Vec<f64> {
         let each = |f: usize| {
             let gained = if self.is_prescribed[f] { 0.0 } else { 0.5 * state.dt * state.force[f] / self.mass[f] };
             state.v[f] + gained
         };
         let mut velocity: Vec<f64> = (0..state.v.len()).map(each).collect();
+        self.corrected.iter().for_each(|&f| velocity[f] = state.v[f]);
         for triad in self.tensors() {
             let [omega, _] = triad.at_end(state, &self.is_prescribed);
             velocity[triad.first..triad.first + 3].copy_from_slice(omega.as_slice());

@@ -46,9 +46,17 @@ pub struct Predicted<'a> {
     pub mean: f64,
     /// Nodes that turn in space.
     triads: &'a [rotation::Triad],
+    /// Freedoms that impulses have moved.
+    corrected: &'a mut Vec<usize>,
 }
 
 impl Predicted<'_> {
+    /// Moves a freedom to where an impulse that gave it so much velocity [L/T] takes it.
+    pub fn settle(&mut self, freedom: usize, gained: f64) {
+        self.u[freedom] += gained * self.dt;
+        self.corrected.push(freedom);
+    }
+
     /// Velocity that an impulse of 1 along a row gives to each of its freedoms, M⁻¹ Jᵀ: 0 where supports move them. A row that
     /// turns a node in space has all three rotations.
     pub fn gains(&self, row: &[(usize, f64)]) -> Vec<f64> {
