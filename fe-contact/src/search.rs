@@ -14,12 +14,14 @@ pub struct Bounds {
 impl Bounds {
     /// The smallest box around points, grown by `margin` on every side.
     pub fn around(points: &[Vec3], margin: f64) -> Self {
-        let (mut low, mut high) = (Vec3::repeat(f64::INFINITY), Vec3::repeat(f64::NEG_INFINITY));
-        for p in points {
-            low = low.inf(p);
-            high = high.sup(p);
-        }
+        let Bounds { low, high } = Bounds::around_all(points.iter().copied());
         Bounds { low: low.add_scalar(-margin), high: high.add_scalar(margin) }
+    }
+
+    /// The smallest box around points.
+    pub fn around_all(points: impl Iterator<Item = Vec3>) -> Self {
+        let none = Bounds { low: Vec3::repeat(f64::INFINITY), high: Vec3::repeat(f64::NEG_INFINITY) };
+        points.fold(none, |all, p| Bounds { low: all.low.inf(&p), high: all.high.sup(&p) })
     }
 
     /// The smallest box around both.

@@ -31,6 +31,7 @@ mod impacts;
 mod kinematic;
 mod rigid;
 mod sliding;
+mod soundness;
 
 /// Points with a mass each; further points without one.
 fn masses(points: &[([f64; 3], f64)]) -> Structure {

@@ -33,8 +33,8 @@ pub(super) struct Edges {
 
 /// What touches.
 pub(super) struct Closed {
-    /// Edges at the beginning of the increment, ascending.
-    pub crossing: Vec<[u32; 2]>,
+    /// Edges at the beginning of the increment with how deep they were [L], ascending.
+    pub crossing: Vec<([u32; 2], f64)>,
     /// Nodes with the components that they touch at its end, nodes ascending.
     pub nodes: Vec<(u32, u32)>,
 }
@@ -81,14 +81,15 @@ impl Edges {
 
     /// Finds the edges that come near, in a grid of their boxes.
     pub fn search(&mut self, scene: &Scene, grid: &Grid) {
-        self.candidates.clear();
+        let known = std::mem::take(&mut self.candidates);
         let edges = &scene.surface.edges;
         for first in self.range.clone() {
             let own = &edges[first as usize];
             for second in grid.meeting(&Bounds::around(&own.nodes.map(|n| scene.x(n)), 0.0)) {
                 if second > first && may_touch(scene, own, &edges[second as usize]) {
-                    let wake = f64::NEG_INFINITY;
-                    self.candidates.push(Candidate { first, second, was_outside: false, wake });
+                    let at = known.binary_search_by_key(&[first, second], |known| [known.first, known.second]);
+                    let was_outside = at.is_ok_and(|at| known[at].was_outside);
+                    self.candidates.push(Candidate { first, second, was_outside, wake: f64::NEG_INFINITY });
                 }
             }
         }
@@ -112,12 +113,14 @@ impl Edges {
             };
             let Crossing { gap, distance, is_proper, .. } = crossing;
             candidate.wake = scene.travelled + (distance - scene.reach).max(0.0);
-            let outside = candidate.was_outside && scene.look == Look::Again;
+            let outside = candidate.was_outside;
             candidate.was_outside = gap >= 0.0 || (is_proper && outside);
             let [one, other] = ends.map(|e| &edges[e as usize]);
-            let may = is_proper
-                && (gap >= 0.0 || outside || is_neighbour(scene, ends, &closed.crossing))
-                && !closed.holds(one, other);
+            // Nothing is deep at once: where no node holds them any more, or their normal has turned over, edges have not come
+            // through each other.
+            let came = |deep: f64| gap > -deep - scene.watched;
+            let is_behind = || (outside && came(0.0)) || neighbour(scene, ends, &closed.crossing).is_some_and(came);
+            let may = is_proper && (gap >= 0.0 || is_behind()) && !closed.holds(one, other);
             if may && gap < scene.reach || was.is_some() {
                 candidate.wake = f64::NEG_INFINITY;
                 match was {
@@ -192,10 +195,11 @@ fn points_out(edge: &Edge, direction: &Vec3, ([first, last], middle): ([Vec3; 2]
     direction.dot(&middle) > 0.0 && a - c * b > -SLANT && b - c * a > -SLANT
 }
 
-/// True where edges that share a node with these, or one of them itself, touch.
-fn is_neighbour(scene: &Scene, [first, second]: [u32; 2], closed: &[[u32; 2]]) -> bool {
+/// How deep [L] edges are, at most, that share a node with these and touch, or these themselves; `None` where none do.
+fn neighbour(scene: &Scene, [first, second]: [u32; 2], closed: &[([u32; 2], f64)]) -> Option<f64> {
     let edges = &scene.surface.edges;
     let meets =
         |a: u32, b: u32| a == b || edges[a as usize].nodes.iter().any(|node| edges[b as usize].nodes.contains(node));
-    closed.iter().any(|&[a, b]| (meets(a, first) && meets(b, second)) || (meets(a, second) && meets(b, first)))
+    let around = |[a, b]: [u32; 2]| (meets(a, first) && meets(b, second)) || (meets(a, second) && meets(b, first));
+    closed.iter().filter(|touch| around(touch.0)).map(|touch| touch.1).reduce(f64::max)
 }

@@ -1,7 +1,7 @@
 //! General contact: any exterior face may touch any other one, of its own body too, by penalty or a softened law.
 //!
 //! A grid of boxes finds what comes near; it is made anew only when the nodes have moved against each other by a margin, and
-//! in between a node that is far from every face sleeps until it may have come near. Nodes and edges are cut into runs of fixed
+//! in between what is far from a node sleeps until it may have come near. Nodes and edges are cut into runs of fixed
 //! length, which threads share; forces are summed run by run, so that the bits do not depend on the number of threads.
 
 mod definition;
@@ -25,9 +25,10 @@ use crate::search::{Bounds, Grid};
 use edges::{Closed, Edges};
 use fe_core::explicit::{Advance, ExplicitTerm, Halt, Moving};
 use fe_core::{Freedoms, Structure};
+use features::Edge;
 use nodes::Nodes;
 use rayon::prelude::*;
-use surface::Surface;
+use surface::{FaceData, Surface};
 use table::Table;
 use touch::{Look, Scene, Touch};
 
@@ -50,16 +51,19 @@ struct Ground {
     penalties: Vec<f64>,
     /// How far any two places have moved against each other, at most [L].
     travelled: f64,
+    /// Of that in the last increment.
+    way: f64,
     /// For how long [T] what comes is foreseen, and how far things may move against each other by then [L].
     soon: [f64; 2],
 }
 
 impl Ground {
     fn scene(&self, dt: f64, look: Look) -> Scene<'_> {
-        let Ground { carriers, surface, table, penalties, travelled, soon } = self;
-        let [soon, way] = *soon;
-        let reach = table.reach + way;
-        Scene { surface, carriers, table, penalties, dt, travelled: *travelled, soon, reach, look }
+        let Ground { carriers, surface, table, penalties, travelled, way, soon } = self;
+        let [soon, ahead] = *soon;
+        let reach = table.reach + ahead;
+        let watched = reach + 2.0 * way;
+        Scene { surface, carriers, table, penalties, dt, travelled: *travelled, soon, reach, watched, look }
     }
 }
 
@@ -72,8 +76,9 @@ pub struct GeneralContact {
     edges: Vec<Edges>,
     /// The increment [T] that springs were made for.
     made_for: Option<f64>,
-    /// Up to how much travelled [L] the last search holds.
+    /// How far things may move against each other [L] while the last search holds, and where nodes were then.
     holds: f64,
+    searched: Vec<Vec3>,
     searches: usize,
     work: f64,
     rubbed: f64,
@@ -97,9 +102,18 @@ impl GeneralContact {
             name: definition.name.clone(),
             nodes: runs(surface.nodes.len()).map(Nodes::new).collect(),
             edges: runs(surface.edges.len()).map(Edges::new).collect(),
-            ground: Ground { carriers, surface, table, penalties: Vec::new(), travelled: 0.0, soon: [0.0; 2] },
+            ground: Ground {
+                carriers,
+                surface,
+                table,
+                penalties: Vec::new(),
+                travelled: 0.0,
+                way: 0.0,
+                soon: [0.0; 2],
+            },
             made_for: None,
-            holds: f64::NEG_INFINITY,
+            holds: 0.0,
+            searched: Vec::new(),
             searches: 0,
             work: 0.0,
             rubbed: 0.0,
@@ -117,38 +131,38 @@ impl GeneralContact {
 
     /// Counts how far things move against each other in an increment, and foresees how far they will in the next ones: at most by
     /// the diagonal of the box of all velocities.
-    fn travel(&mut self, at: &Moving) -> f64 {
+    fn travel(&mut self, at: &Moving) {
         let speed = Bounds::around(&self.ground.carriers.v, 0.0).diagonal();
-        let way = speed * at.dt;
         // Bodies that turn go a little farther than their velocity says.
-        self.ground.travelled += 1.01 * way;
+        self.ground.way = 1.01 * speed * at.dt;
+        self.ground.travelled += self.ground.way;
         if self.ground.table.may_be_stiff {
             let soon = AHEAD * at.stable;
             self.ground.soon = [soon, speed * soon];
         }
-        way
     }
 
     /// Finds what comes near, where the last search holds no more.
-    fn search(&mut self, way: f64, dt: f64) -> Look {
-        if self.ground.travelled < self.holds {
+    fn search(&mut self, dt: f64) -> Look {
+        let carriers = &self.ground.carriers;
+        let moved = carriers.x.iter().zip(&self.searched).map(|(x, searched)| x - searched);
+        if self.searches > 0 && Bounds::around_all(moved).diagonal() < self.holds {
             return Look::Again;
         }
         let look = if self.searches == 0 { Look::First } else { Look::Anew };
         self.searches += 1;
         let Surface { faces, edges, size, .. } = &self.ground.surface;
         let [least, most] = MARGINS.map(|part| part * size);
-        let margin = if dt > 0.0 { (HOLDS * way).clamp(least, most) } else { most };
-        self.holds = self.ground.travelled + margin;
+        let margin = if dt > 0.0 { (HOLDS * self.ground.way).clamp(least, most) } else { most };
+        self.holds = margin;
+        self.searched.clone_from(&carriers.x);
         let deepest = self.touches().filter(|touch| touch.is_closed()).map(|t| -t.point.gap).fold(0.0, f64::max);
         let reach = margin + self.ground.table.reach.max(deepest);
         let x = &self.ground.carriers.x;
-        let around = |corners: &[u32], margin: f64| {
-            let points: Vec<Vec3> = corners.iter().map(|&i| x[i as usize]).collect();
-            Bounds::around(&points, margin)
-        };
-        let near_faces = Grid::new(faces.iter().map(|face| around(face.corners(), reach)).collect());
-        let near_edges = Grid::new(edges.iter().map(|edge| around(&edge.nodes, reach)).collect());
+        let of_face = |face: &FaceData| Bounds::around(&face.corners.map(|i| x[i as usize]), reach);
+        let of_edge = |edge: &Edge| Bounds::around(&edge.nodes.map(|i| x[i as usize]), reach);
+        let near_faces = Grid::new(faces.iter().map(of_face).collect());
+        let near_edges = Grid::new(edges.iter().map(of_edge).collect());
         let face_normals = self.ground.surface.face_normals(x);
         let normals = [&face_normals[..], &self.ground.surface.node_normals(x, &face_normals)];
         let scene = self.ground.scene(dt, look);
@@ -166,7 +180,7 @@ impl GeneralContact {
     /// Looks at all candidates at the end of an increment.
     fn meet(&mut self, dt: f64, look: Look) {
         let edges = self.edges.iter().flat_map(|run| &run.touches).filter(|touch| touch.is_closed());
-        let crossing = edges.map(|touch| [touch.first, touch.second]).collect();
+        let crossing = edges.map(|touch| ([touch.first, touch.second], touch.point.gap.abs())).collect();
         let scene = self.ground.scene(dt, look);
         self.nodes.par_iter_mut().for_each(|run| run.advance(&scene));
         let of_nodes = self.nodes.iter().flat_map(|run| &run.touches).filter(|touch| touch.is_closed());
@@ -208,8 +222,8 @@ impl ExplicitTerm for GeneralContact {
             self.stiffen(at.stable);
         }
         self.ground.carriers.update(at.u, at.v);
-        let way = self.travel(at);
-        let look = self.search(way, at.dt);
+        self.travel(at);
+        let look = self.search(at.dt);
         self.meet(at.dt, look);
         self.sum();
         self.ground.carriers.scatter(forces);

@@ -23,6 +23,8 @@ struct Candidate {
     side: f64,
     /// The node has been in front of that side.
     was_outside: bool,
+    /// How far things must have travelled [L] until the node may be at the face.
+    clear: f64,
 }
 
 /// Some nodes with the faces near them.
@@ -33,8 +35,8 @@ pub(super) struct Nodes {
     /// Where the candidates of each begin.
     start: Vec<u32>,
     candidates: Vec<Candidate>,
-    /// How far things must have travelled [L] until each may touch.
-    wake: Vec<f64>,
+    /// How far things must have travelled [L] until each may be at a face; of those that touch it does not matter.
+    clear: Vec<f64>,
     /// Slip [L] of each while it was closed.
     slip: Vec<[f64; 2]>,
     /// Of the last increment, nodes ascending.
@@ -42,8 +44,9 @@ pub(super) struct Nodes {
 }
 
 /// What a face is to a node.
-struct Nearest<'c> {
-    candidate: &'c Candidate,
+struct Nearest {
+    face: u32,
+    side: f64,
     foot: Foot,
     gap: f64,
 }
@@ -63,7 +66,7 @@ impl Nodes {
     pub fn bytes(&self) -> usize {
         size_of_val(&self.start[..])
             + size_of_val(&self.candidates[..])
-            + size_of_val(&self.wake[..])
+            + size_of_val(&self.clear[..])
             + size_of_val(&self.slip[..])
             + size_of_val(&self.touches[..])
     }
@@ -73,20 +76,22 @@ impl Nodes {
         self.candidates.clear();
         self.start.clear();
         self.start.push(0);
-        self.wake.clear();
-        self.wake.resize(self.range.len(), f64::NEG_INFINITY);
+        self.clear.clear();
+        self.clear.resize(self.range.len(), f64::NEG_INFINITY);
         for i in self.range.clone() {
             let node = &scene.surface.nodes[i as usize];
             let first = self.candidates.len();
             let x = scene.x(i);
             for face in grid.holding(x) {
                 let (data, normal) = (&scene.surface.faces[face as usize], &faces[face as usize]);
-                let (product, height) = (nodes[i as usize].dot(normal), (x - scene.x(data.corners[0])).dot(normal));
+                let (product, height) =
+                    (nodes[i as usize].dot(normal), (scene.before(i) - scene.before(data.corners[0])).dot(normal));
                 if let Some(side) = side(node, data, product, height)
                     && !data.corners().contains(&i)
                     && part(scene, i, data).is_some()
                 {
-                    self.candidates.push(Candidate { face, side, was_outside: false });
+                    let clear = scene.travelled + away(scene, data, normal, &x);
+                    self.candidates.push(Candidate { face, side, was_outside: false, clear });
                 }
             }
             self.candidates[first..].sort_by_key(|c| scene.surface.faces[c.face as usize].component);
@@ -102,31 +107,33 @@ impl Nodes {
             let node = self.range.start + local as u32;
             let (own, rest) = before.split_at(before.iter().take_while(|touch| touch.first == node).count());
             before = rest;
-            if scene.look == Look::Again && scene.travelled < self.wake[local] {
+            if scene.look == Look::Again && self.clear[local] - scene.travelled >= scene.watched {
                 continue;
             }
-            self.wake[local] = self.look(scene, local, own);
+            self.clear[local] = self.look(scene, local, own);
         }
     }
 
-    /// Adds the touches of a node; how far things must travel until it needs to be looked at again.
+    /// Adds the touches of a node; how far things must have travelled until it may be at a face that it does not touch.
     fn look(&mut self, scene: &Scene, local: usize, before: &[Touch]) -> f64 {
         let node = self.range.start + local as u32;
         let range = self.start[local] as usize..self.start[local + 1] as usize;
         let faces = &scene.surface.faces;
         let component = |c: &Candidate| faces[c.face as usize].component;
         let closed: Vec<&Touch> = before.iter().filter(|touch| touch.is_closed()).collect();
+        // The nearest face that counts is at most as much farther away than those that it touches as things have moved.
+        let within = scene.watched + closed.iter().map(|touch| touch.point.gap.abs()).fold(0.0, f64::max);
         let (count, mut clear) = (self.touches.len(), f64::INFINITY);
         for same in self.candidates[range].chunk_by_mut(|a, b| component(a) == component(b)) {
             let number = component(&same[0]);
             let was = closed.iter().find(|touch| faces[touch.second as usize].component == number);
-            let (nearest, distance) = nearest(scene, node, same, &closed);
-            clear = clear.min(distance);
-            let Some(Nearest { candidate, foot, gap }) = nearest else {
+            let nearest = nearest(scene, node, same, &closed, within);
+            clear = same.iter().map(|candidate| candidate.clear).fold(clear, f64::min);
+            let Some(Nearest { face: number, side, foot, gap }) = nearest else {
                 self.touches.extend(was.map(|was| was.left(scene)));
                 continue;
             };
-            let face = &faces[candidate.face as usize];
+            let face = &faces[number as usize];
             if gap >= scene.reach && was.is_none() {
                 continue;
             }
@@ -135,7 +142,7 @@ impl Nodes {
             let corner = |i: usize| (face.corners[i], -foot.weights[i]);
             let opposite = scene.penalty_at((0..4).map(share));
             let scale = part * scene.table.scales[usize::from(acting.scale)];
-            let normal = foot.normal * candidate.side;
+            let normal = foot.normal * side;
             let place = Place {
                 gap,
                 normal,
@@ -143,7 +150,7 @@ impl Nodes {
                 measure: part * scene.surface.facing(node, &normal, &scene.carriers.x),
                 penalty: scale * scene.penalty(&[node]).min(opposite),
             };
-            let mut touch = scene.touch([node, candidate.face], was.copied(), place, acting);
+            let mut touch = scene.touch([node, number], was.copied(), place, acting);
             if was.is_none() {
                 let own = self.slip[local];
                 (0..2).for_each(|i| touch.point.slip[i] += own[i]);
@@ -152,7 +159,7 @@ impl Nodes {
             self.touches.push(touch);
         }
         let is_near = self.touches.len() > count;
-        if is_near { f64::NEG_INFINITY } else { scene.travelled + (clear - scene.reach).max(0.0) }
+        if is_near { f64::NEG_INFINITY } else { clear }
     }
 
     /// The nearest gap [L] of each node that does not touch and has a face near.
@@ -163,8 +170,7 @@ impl Nodes {
             if own.is_empty() || self.touches.binary_search_by_key(&node, |touch| touch.first).is_ok() {
                 return None;
             }
-            let (nearest, _) = nearest(scene, node, &mut own, &[]);
-            nearest.map(|nearest| (node, nearest.gap))
+            nearest(scene, node, &mut own, &[], f64::INFINITY).map(|nearest| (node, nearest.gap))
         })
     }
 
@@ -200,15 +206,20 @@ fn part(scene: &Scene, node: u32, face: &FaceData) -> Option<(super::Acting, f64
     moves.then_some((acting, part))
 }
 
-/// The nearest of the faces of one component that a node is before or touches, and the distance [L] of the nearest of all.
-fn nearest<'c>(scene: &Scene, node: u32, same: &'c mut [Candidate], closed: &[&Touch]) -> (Option<Nearest<'c>>, f64) {
+/// The nearest of the faces of one component that a node is before or touches; what is farther away than `within` [L] is left
+/// out, and sleeps: no face that the node has come through in the increment, or now touches instead of another one, is.
+fn nearest(scene: &Scene, node: u32, same: &mut [Candidate], closed: &[&Touch], within: f64) -> Option<Nearest> {
     let faces = &scene.surface.faces;
     let x = scene.x(node);
     let mut best: Option<(usize, Foot, f64)> = None;
-    let mut clear = f64::INFINITY;
     let mut past = Vec::new();
     for (place, candidate) in same.iter_mut().enumerate() {
         let face = &faces[candidate.face as usize];
+        // Around the edge of a sheet a node comes to the other side without coming nearer.
+        let may_sleep = face.sides == Sides::Outer && scene.look != Look::First;
+        if may_sleep && candidate.clear - scene.travelled >= within {
+            continue;
+        }
         let foot = Foot::on_face(&face.corners.map(|i| scene.x(i)), face.count, &x);
         let around = !foot.is_within && face.is_on_border(&foot.weights);
         let is_touched = closed.iter().any(|touch| touches_neighbour(faces, touch.second, candidate.face));
@@ -220,14 +231,20 @@ fn nearest<'c>(scene: &Scene, node: u32, same: &'c mut [Candidate], closed: &[&T
             past.push((place, side));
         }
         let gap = candidate.side * foot.gap;
-        clear = clear.min(gap.abs());
+        candidate.clear = scene.travelled + gap.abs();
         let overlaps = scene.look == Look::First
             && foot.is_within
             && gap > -DEEPEST * face.size
             && scene.surface.nodes[node as usize].component != face.component;
-        let was = candidate.was_outside && scene.look == Look::Again;
         let is_behind = gap < 0.0;
-        let may = !is_behind || overlaps || (!around && gap > -DEEPEST * face.size && (was || is_touched));
+        let was = match scene.look {
+            Look::First => false,
+            Look::Anew => is_behind && candidate.side * gap_before(scene, node, face) >= 0.0,
+            Look::Again => candidate.was_outside,
+        };
+        // Nothing is deep at once: past a ridge of a sheet the node has come around.
+        let deepest = within.min(DEEPEST * face.size);
+        let may = !is_behind || overlaps || (!around && gap > -deepest && (was || is_touched));
         candidate.was_outside = was || !is_behind || overlaps;
         // Of faces that share the nearest point one that sees the node from outside is right: it is past a ridge of the others.
         let better = |(_, other, least): &(usize, Foot, f64)| {
@@ -244,7 +261,26 @@ fn nearest<'c>(scene: &Scene, node: u32, same: &'c mut [Candidate], closed: &[&T
     if best.as_ref().is_some_and(|(_, _, gap)| *gap >= 0.0) {
         past.into_iter().for_each(|(place, side)| same[place].side = side);
     }
-    (best.map(|(place, foot, gap)| Nearest { candidate: &same[place], foot, gap }), clear)
+    best.map(|(place, foot, gap)| Nearest { face: same[place].face, side: same[place].side, foot, gap })
+}
+
+/// The gap [L] of a node over a face at the beginning of the increment.
+fn gap_before(scene: &Scene, node: u32, face: &FaceData) -> f64 {
+    Foot::on_face(&face.corners.map(|i| scene.before(i)), face.count, &scene.before(node)).gap
+}
+
+/// The least distance [L] that a place may have from a face: by its height over it, and by a ball around it; of sheets none is
+/// known.
+fn away(scene: &Scene, face: &FaceData, normal: &Vec3, x: &Vec3) -> f64 {
+    if face.sides == Sides::Both {
+        return f64::NEG_INFINITY;
+    }
+    let corners = face.corners.map(|corner| scene.x(corner));
+    let heights = corners.map(|corner| (x - corner).dot(normal));
+    let (least, most) = heights.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), h| (a.min(*h), b.max(*h)));
+    let middle = (corners[0] + corners[2]) * 0.5;
+    let radius = corners.iter().map(|corner| (corner - middle).norm_squared()).fold(0.0, f64::max).sqrt();
+    least.max(-most).max((x - middle).norm() - radius)
 }
 
 /// True for the same face, and for faces that share a corner.

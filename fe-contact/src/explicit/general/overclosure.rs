@@ -69,7 +69,7 @@ impl GeneralContact {
         let carriers = &self.ground.carriers;
         let of = |node: u32| if carriers.body_of(node).is_some() { f64::INFINITY } else { PENALTY };
         self.ground.penalties = (0..carriers.nodes.len() as u32).map(of).collect();
-        let look = self.search(0.0, 0.0);
+        let look = self.search(0.0);
         debug_assert_eq!(look, Look::First);
         self.meet(0.0, look);
         let of_nodes = self.nodes.iter().flat_map(|run| &run.touches);

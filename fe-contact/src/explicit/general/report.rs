@@ -75,7 +75,8 @@ impl GeneralContact {
             + size_of_val(&ground.surface.nodes[..])
             + ground.surface.nodes.iter().map(|node| size_of_val(&node.faces[..])).sum::<usize>()
             + size_of_val(&ground.surface.edges[..])
-            + size_of_val(&ground.penalties[..]);
+            + size_of_val(&ground.penalties[..])
+            + size_of_val(&self.searched[..]);
         let runs = self.nodes.iter().map(|run| run.bytes()).sum::<usize>()
             + self.edges.iter().map(|r| r.bytes()).sum::<usize>();
         lists + runs + ground.carriers.bytes()

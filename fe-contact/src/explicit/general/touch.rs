@@ -68,6 +68,9 @@ pub(super) struct Scene<'a> {
     /// For how long [T] what comes is foreseen, and the gap [L] below which it may act by then.
     pub soon: f64,
     pub reach: f64,
+    /// The distance [L] below which places are looked at: `reach`, and twice what things move against each other in an
+    /// increment, so that it is seen from which side they come.
+    pub watched: f64,
     pub look: Look,
 }
 
@@ -85,6 +88,11 @@ pub(super) enum Look {
 impl Scene<'_> {
     pub fn x(&self, node: u32) -> Vec3 {
         self.carriers.x[node as usize]
+    }
+
+    /// Where a node was at the beginning of the increment.
+    pub fn before(&self, node: u32) -> Vec3 {
+        self.carriers.x[node as usize] - self.carriers.v[node as usize] * self.dt
     }
 
     /// How far places part in the increment [L].

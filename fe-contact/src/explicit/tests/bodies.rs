@@ -3,17 +3,18 @@
 use super::*;
 use crate::explicit::general::{Acting, Between, GeneralContact, GeneralDefinition, GeneralFace, Sides};
 use crate::facet::Facet;
-use fe_core::element::ElementType::{C3D8R, R3D4};
+use fe_core::element::ElementType::C3D8R;
 use fe_core::explicit::solid::{Hourglass, SolidSection, Solids};
 use fe_core::material::{Damping, Elastic, Response};
 use fe_mesh::generate::Block;
-use fe_mesh::{CellKind, Face, Mesh, exterior};
+use fe_mesh::{Face, Mesh, exterior};
 
-/// Bodies of C3D8R, one block of cells, with the first point of each; a rigid facet may be the last thing.
+/// Bodies of C3D8R, one block of cells, with the first point of each; rigid facets may be the last thing.
 pub struct Bodies {
     pub structure: Structure,
     pub first: Vec<u32>,
     pub rigid: Vec<RigidFollower>,
+    sheets: Vec<Vec<u32>>,
 }
 
 impl Bodies {
@@ -24,24 +25,24 @@ impl Bodies {
             mesh.append(body);
         }
         let structure = Structure { mesh, elements: vec![C3D8R], ..Structure::default() };
-        Bodies { structure, first, rigid: Vec::new() }
+        Bodies { structure, first, rigid: Vec::new(), sheets: Vec::new() }
     }
 
     /// With a facet of these corners that a reference node holds.
-    pub fn on_facet(mut self, corners: [[f64; 3]; 4]) -> Self {
+    pub fn on_facet(self, corners: [[f64; 3]; 4]) -> Self {
+        self.on_sheet(&corners, &[&[0, 1, 2, 3]])
+    }
+
+    /// With facets between such points that a reference node holds.
+    pub fn on_sheet(mut self, points: &[[f64; 3]], facets: &[&[u32]]) -> Self {
         let mesh = &mut self.structure.mesh;
         let first = mesh.points.len() as u32;
-        mesh.points.extend(corners);
+        mesh.points.extend(points);
+        let reference = mesh.points.len() as u32;
         mesh.points.push([0.0, 0.0, -9.0]);
         mesh.point_labels = (1..=mesh.points.len() as u64).collect();
-        let nodes: Vec<u32> = (first..first + 4).collect();
-        mesh.blocks.push(CellBlock {
-            nodes: nodes.clone(),
-            labels: vec![1_000_000],
-            ..CellBlock::new(CellKind::Quad4)
-        });
-        self.structure.elements.push(R3D4);
-        self.rigid.push(RigidFollower { reference: first + 4, nodes });
+        self.sheets.extend(facets.iter().map(|nodes| nodes.iter().map(|node| first + node).collect::<Vec<u32>>()));
+        self.rigid.push(RigidFollower { reference, nodes: (first..reference).collect() });
         self
     }
 
@@ -49,7 +50,7 @@ impl Bodies {
         self.first.partition_point(|first| *first <= node) - 1
     }
 
-    /// All outer faces, of a class of its own for each body, and the rigid facet.
+    /// All outer faces, of a class of its own for each body, and the rigid facets.
     pub fn faces(&self) -> Vec<GeneralFace> {
         let mesh = &self.structure.mesh;
         let of = |face: Face| {
@@ -59,8 +60,8 @@ impl Bodies {
         };
         let mut faces: Vec<GeneralFace> = exterior(mesh).into_iter().map(of).collect();
         let class = self.first.len() as u16;
-        let facet = |body: &RigidFollower| GeneralFace { nodes: body.nodes.clone(), sides: Sides::Both, class };
-        faces.extend(self.rigid.iter().map(facet));
+        let facet = |nodes: &Vec<u32>| GeneralFace { nodes: nodes.clone(), sides: Sides::Both, class };
+        faces.extend(self.sheets.iter().map(facet));
         faces
     }
 

@@ -204,8 +204,12 @@ fn askew(threads: usize, backwards: bool) -> Vec<f64> {
         }
         let mut cubes = Motion::new(&bodies, general(&bodies, definition), velocity);
         let dt = 0.7 * cubes.procedure.stable().increment();
-        (0..150).for_each(|_| cubes.advance(dt));
-        assert!(cubes.contacts[0].count().closed > 5);
+        let mut most = 0;
+        for _ in 0..150 {
+            cubes.advance(dt);
+            most = most.max(cubes.contacts[0].count().closed);
+        }
+        assert!(most > 40, "{most}");
         cubes.state.u
     })
 }
