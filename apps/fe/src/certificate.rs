@@ -1,6 +1,6 @@
 //! The certificate: what stands beside every converged increment, and beside the whole run.
 
-use crate::explicit::Balance;
+use crate::explicit::{Balance, Spent};
 use crate::number::scientific;
 use crate::terms::Terms;
 use fe_contact::state::ContactState;
@@ -161,6 +161,8 @@ pub struct RunCertificate {
     pub peak_memory: Option<u64>,
     /// Elements of an explicit job.
     pub elements: usize,
+    /// Seconds of its increments.
+    pub spent: Spent,
     /// Energies at the end of an explicit job, which has no equilibria to certify.
     pub explicit: Option<Balance>,
 }
@@ -209,6 +211,11 @@ impl fmt::Display for RunCertificate {
 }
 
 impl RunCertificate {
+    /// Microseconds an element and increment of an explicit job.
+    pub fn microseconds(&self) -> f64 {
+        1e6 * self.spent.all / (self.elements.max(1) * self.increments.max(1)) as f64
+    }
+
     fn explicit(&self, b: &Balance, out: &mut fmt::Formatter) -> fmt::Result {
         let e = |value: f64| scientific(value, 6);
         writeln!(out, "Certificate (energies at the end of {} increments)", self.increments)?;
@@ -221,15 +228,10 @@ impl RunCertificate {
         writeln!(out, "  contact             {}", e(b.contact))?;
         writeln!(out, "  work of loads       {}", e(b.work))?;
         writeln!(out, "  balance             {} of the largest energy", scientific(b.drift(), 2))?;
+        let each = scientific(self.spent.all / self.increments.max(1) as f64, 2);
+        writeln!(out, "  an increment        {each} s, {:.3} µs an element", self.microseconds())?;
+        writeln!(out, "  of that             {}", self.spent)?;
         let s = self.seconds;
-        let moving = s.total - s.read - s.write;
-        let each = moving / (self.elements.max(1) * self.increments.max(1)) as f64;
-        writeln!(
-            out,
-            "  an increment        {} s, {} s an element",
-            scientific(moving / self.increments.max(1) as f64, 2),
-            scientific(each, 2)
-        )?;
         write!(out, "  seconds             read {:.2}, write {:.2}; in all {:.2}", s.read, s.write, s.total)
     }
 

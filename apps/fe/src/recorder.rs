@@ -69,7 +69,7 @@ const RUN_COLUMNS: [&str; 13] = [
     "peak_memory",
 ];
 /// Name of the run's certificate.
-const RUN: &str = "Run";
+pub const RUN: &str = "Run";
 
 impl Recorder {
     /// Creates the files: the job's name with other endings.
@@ -244,17 +244,23 @@ fn histories(terms: &Terms) -> Vec<HistoryInfo> {
             units: own(&COLUMNS.map(|c| c.1)),
             meaning: "what was checked of each increment".into(),
         },
-        HistoryInfo {
-            name: RUN.into(),
-            columns: own(&RUN_COLUMNS),
-            units: own(&RUN_COLUMNS.map(|name| match name {
-                name if name.starts_with("seconds") => "s",
-                "peak_memory" => "byte",
-                _ => "1",
-            })),
-            meaning: "what the whole run took".into(),
-        },
+        run_info(&RUN_COLUMNS),
     ];
     list.extend(history_names(terms).iter().map(|name| histories::info(name)));
     list
+}
+
+/// What the results file says of the run's certificate, whose columns are these.
+pub fn run_info(columns: &[&str]) -> HistoryInfo {
+    let unit = |name: &&str| match *name {
+        name if name.starts_with("seconds") => "s".to_owned(),
+        "peak_memory" => "byte".to_owned(),
+        _ => "1".to_owned(),
+    };
+    HistoryInfo {
+        name: RUN.into(),
+        columns: columns.iter().map(|name| name.to_string()).collect(),
+        units: columns.iter().map(unit).collect(),
+        meaning: "what the whole run took".into(),
+    }
 }

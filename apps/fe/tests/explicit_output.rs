@@ -86,3 +86,37 @@ fn histories_come_as_often_as_they_say() {
         assert!(*time == 0.0 || dt == 0.5);
     }
 }
+
+/// The certificate says where the time of the increments has gone, in shares that make up the whole; the results file has the
+/// same seconds.
+#[test]
+fn the_time_of_increments_is_told_by_what_took_it() {
+    let contact = "*SURFACE, NAME=TIP, TYPE=NODE\nEND\n*NODE, NSET=REF\n12, 10.2, 0.\n*SURFACE, NAME=WALL, TYPE=SEGMENTS\n\
+                   START, 10.01, -1.\nLINE, 10.01, 1.\n*RIGID BODY, ANALYTICAL SURFACE=WALL, REF NODE=12\n\
+                   *BOUNDARY\nREF, 1, 6\n";
+    let deck = bar(&format!(
+        "{contact}*STEP\n*DYNAMIC, EXPLICIT, DIRECT USER CONTROL\n0.01, 100.\n\
+         *CONTACT PAIR, MECHANICAL CONSTRAINT=PENALTY\nTIP, WALL\n*OUTPUT, FIELD, NUMBER INTERVAL=1\n*END STEP\n"
+    ));
+    let job = Job::run("explicit_seconds", &deck);
+    let line = job.told.lines().find_map(|line| line.trim().strip_prefix("of that")).unwrap();
+    let parts = line.trim().split("; ").map(|part| part.split_once(" % ").unwrap());
+    let shares: Vec<(f64, &str)> = parts.map(|(share, of)| (share.parse().unwrap(), of)).collect();
+    // Each is rounded to a tenth.
+    let sum: f64 = shares.iter().map(|share| share.0).sum();
+    assert!((sum - 100.0).abs() <= 0.05 * shares.len() as f64 + 1e-9, "{line}");
+    assert!(shares.iter().all(|share| share.0 >= 0.0), "{line}");
+    let run = rows(&job, "Run", 9);
+    let [(_, row)] = &run[..] else { panic!("{run:?}") };
+    let [increments, elements, read, all, others, contact, write, total, _] = row[..] else { panic!() };
+    assert_eq!((increments, elements), (10_000.0, 10.0));
+    let of = |name: &str| shares.iter().find(|share| share.1 == name).map(|share| share.0);
+    // What takes less than a hundredth is not told by itself.
+    match of("TIP on WALL") {
+        Some(share) => assert!((100.0 * contact / all - share).abs() <= 0.05 + 1e-9, "{line} {row:?}"),
+        None => assert!(contact < 0.01 * all, "{line} {row:?}"),
+    }
+    let elements = of("trusses, beams, springs and masses").unwrap_or(0.0);
+    assert!(100.0 * others / all >= elements - 0.05, "{line} {row:?}");
+    assert!(read + all <= total && others + contact <= all && write <= total, "{row:?}");
+}

@@ -7,8 +7,8 @@ use fe_contact::explicit::{Acting, Between, GeneralContact, GeneralCount, Genera
 use fe_contact::viscous::ExplicitDamping;
 use fe_core::Freedoms;
 use fe_core::element::ElementType::C3D8R;
+use fe_core::explicit::Halt;
 use fe_core::explicit::central_difference::{CentralDifference, State};
-use fe_core::explicit::{Advance, ExplicitTerm, Halt, Moving};
 use fe_core::material::{Elastic, Response};
 use fe_core::structure::Structure;
 use fe_mesh::Mesh;
@@ -37,37 +37,6 @@ struct Row {
     /// Seconds an increment, of contact in it, and of searching in that.
     seconds: [f64; 3],
     count: GeneralCount,
-}
-
-/// A term whose seconds are counted.
-struct Timed<T> {
-    term: T,
-    seconds: f64,
-}
-
-impl<T: ExplicitTerm> ExplicitTerm for Timed<T> {
-    fn name(&self) -> &str {
-        self.term.name()
-    }
-
-    fn add_mass(&self, mass: &mut [f64]) {
-        self.term.add_mass(mass);
-    }
-
-    fn weigh(&mut self, mass: &[f64]) {
-        self.term.weigh(mass);
-    }
-
-    fn advance(&mut self, at: &Moving, forces: &mut [f64]) -> Result<Advance, Halt> {
-        let start = Instant::now();
-        let advance = self.term.advance(at, forces);
-        self.seconds += start.elapsed().as_secs_f64();
-        advance
-    }
-
-    fn stored(&self) -> f64 {
-        self.term.stored()
-    }
 }
 
 /// Prints seconds and shares of all rows, and the exponents of growth.
@@ -153,7 +122,7 @@ fn measured(bodies: usize) -> Result<Row, Halt> {
     let structure = cloud(bodies);
     let freedoms = structure.freedoms(&[]);
     let mut solids = solids(&structure, &freedoms, (&STEEL, 1.0), [0.06, 1.2]);
-    let mut general = Timed { term: contact(&structure, &freedoms), seconds: 0.0 };
+    let mut general = contact(&structure, &freedoms);
     let mut state = State::rest(&freedoms);
     let mut next = numbers();
     let each = structure.mesh.points.len() / bodies;
@@ -171,21 +140,21 @@ fn measured(bodies: usize) -> Result<Row, Halt> {
     let (mut all, mut within, mut searching, mut other) = (0.0, 0.0, [0.0; 2], [0.0; 2]);
     for increment in 0..400 {
         let dt = 0.9 * procedure.stable().increment();
-        let (before, searches) = (general.seconds, general.term.searches());
+        let (before, searches) = (procedure.seconds()[1], general.searches());
         let start = Instant::now();
         procedure.advance(&mut [&mut solids, &mut general], &mut state, dt)?;
         if increment < 100 {
             continue;
         }
         all += start.elapsed().as_secs_f64();
-        let seconds = general.seconds - before;
+        let seconds = procedure.seconds()[1] - before;
         within += seconds;
-        let of = if general.term.searches() > searches { &mut searching } else { &mut other };
+        let of = if general.searches() > searches { &mut searching } else { &mut other };
         *of = [of[0] + seconds, of[1] + 1.0];
     }
     // What increments with a search take longer than the others.
     let search = searching[0] - searching[1] * other[0] / other[1].max(1.0);
-    let count = general.term.count();
+    let count = general.count();
     let seconds = [all, within, search].map(|sum| sum / 300.0);
     Ok(Row { facets: count.faces, elements: solids.count(), seconds, count })
 }

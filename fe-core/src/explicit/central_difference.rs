@@ -9,6 +9,7 @@ use super::{Advance, ExplicitTerm, Halt, Moving, Predicted};
 use crate::freedoms::Freedoms;
 use crate::load::Prescribed;
 use crate::ramp::Ramp;
+use std::time::Instant;
 
 /// A prescribed freedom.
 #[derive(Clone, Debug, PartialEq)]
@@ -65,6 +66,8 @@ pub struct CentralDifference {
     corrected: Vec<usize>,
     period: f64,
     advance: Advance,
+    /// Seconds that each term has taken.
+    seconds: Vec<f64>,
 }
 
 impl CentralDifference {
@@ -85,8 +88,12 @@ impl CentralDifference {
         state.step_time = 0.0;
         let at =
             Moving { u: &state.u, v: &state.v, step_time: 0.0, total_time: state.total_time, dt: 0.0, stable: most };
-        let advance = act(terms, &at, &mut state.force)?;
-        Ok(CentralDifference { mass, triads, supports, is_prescribed, corrected: Vec::new(), period, advance })
+        let mut seconds = vec![0.0; terms.len()];
+        let advance = act(terms, &at, (&mut state.force, &mut seconds))?;
+        // The start is no part of an increment.
+        seconds.fill(0.0);
+        let corrected = Vec::new();
+        Ok(CentralDifference { mass, triads, supports, is_prescribed, corrected, period, advance, seconds })
     }
 
     /// Goes on with other masses of the terms, with which the elements are stable up to another increment [T]. Velocities stay: what
@@ -114,11 +121,17 @@ impl CentralDifference {
         self.advance
     }
 
-    /// One increment of length `dt` [T].
+    /// Seconds by the clock that each term, in their order, has taken in the increments of the step so far.
+    pub fn seconds(&self) -> &[f64] {
+        &self.seconds
+    }
+
+    /// One increment of length `dt` [T], of the terms that the step began with.
     ///
     /// # Errors
     /// Where an element is lost or the motion has no end.
     pub fn advance(&mut self, terms: &mut Terms, state: &mut State, dt: f64) -> Result<(), Halt> {
+        assert_eq!(terms.len(), self.seconds.len(), "other terms than the step began with");
         let mean = 0.5 * (state.dt + dt);
         self.triads.iter_mut().for_each(|triad| triad.begin(&state.v, state.dt));
         let free = state.v.iter_mut().zip(&state.force).zip(&self.mass).zip(&self.is_prescribed);
@@ -144,14 +157,18 @@ impl CentralDifference {
             triads: &self.triads,
             corrected: &mut self.corrected,
         };
-        terms.iter_mut().for_each(|term| term.correct(&mut predicted));
+        let mut clock = Instant::now();
+        for (term, seconds) in terms.iter_mut().zip(&mut self.seconds) {
+            term.correct(&mut predicted);
+            lap(&mut clock, seconds);
+        }
         for triad in &mut self.triads {
             triad.turn(state, dt, &self.is_prescribed)?;
         }
         (state.step_time, state.total_time, state.dt) = (state.step_time + dt, state.total_time + dt, dt);
         let (step_time, total_time) = (state.step_time, state.total_time);
         let at = Moving { u: &state.u, v: &state.v, step_time, total_time, dt, stable: dt };
-        self.advance = act(terms, &at, &mut state.force)?;
+        self.advance = act(terms, &at, (&mut state.force, &mut self.seconds))?;
         for (&Support { freedom, .. }, (force, old)) in self.supports.iter().zip(before) {
             // What it gave in kinetic energy, and what it held the other forces with.
             let v = state.v[freedom];
@@ -254,18 +271,27 @@ fn weigh(terms: &mut Terms, state: &State, is_prescribed: &[bool]) -> Result<(Ve
     }
 }
 
-/// Forces of all terms.
-fn act(terms: &mut Terms, at: &Moving, forces: &mut [f64]) -> Result<Advance, Halt> {
+/// Forces of all terms; their seconds are added.
+fn act(terms: &mut Terms, at: &Moving, (forces, seconds): (&mut [f64], &mut [f64])) -> Result<Advance, Halt> {
     forces.fill(0.0);
     let mut all = Advance::default();
-    for term in terms {
+    let mut clock = Instant::now();
+    for (term, seconds) in terms.iter_mut().zip(seconds) {
         let stable = at.stable.min(all.increment());
         all = all.and(term.advance(&Moving { stable, ..*at }, forces)?);
+        lap(&mut clock, seconds);
     }
     match unbounded(forces) {
         Some(freedom) => Err(Halt::Unbounded { freedom }),
         None => Ok(all),
     }
+}
+
+/// Adds the seconds that have gone since the clock began, and begins it anew.
+fn lap(clock: &mut Instant, seconds: &mut f64) {
+    let now = Instant::now();
+    *seconds += now.duration_since(*clock).as_secs_f64();
+    *clock = now;
 }
 
 /// The first force that is infinite or no number; by blocks, so that it takes no time beside the forces themselves.

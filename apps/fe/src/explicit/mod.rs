@@ -9,6 +9,7 @@ mod plan;
 mod record;
 mod scene;
 mod series;
+mod spent;
 mod values;
 
 use crate::certificate::RunCertificate;
@@ -27,6 +28,7 @@ use fe_io::Model;
 use fe_io::model::Step;
 use record::{Left, Record, Turn};
 use scene::Scene;
+pub use spent::Spent;
 use std::path::Path;
 use std::time::{Duration, Instant};
 use values::Moment;
@@ -81,7 +83,7 @@ pub fn run_model(model: &Model, job: &Path, read: f64, observer: &mut dyn Observ
     certificate.elements = scene.structure.mesh.cell_count();
     certificate.peak_memory = fe_io::memory::peak();
     let results = record.path();
-    let closed = record.finish(if ended.is_ok() { "completed" } else { "failed" });
+    let closed = record.finish(&certificate, state.total_time, if ended.is_ok() { "completed" } else { "failed" });
     ended?;
     closed?;
     observer.event(Event::Done(&certificate));
@@ -200,6 +202,24 @@ impl Run<'_> {
             let at = moment((model, self.scene), self.state, &procedure, &fixed);
             self.record.increment(at, &Turn::START, &step.output)?;
         }
+        let (start, written) = (Instant::now(), self.record.seconds());
+        let ended = self.increments(model, (number, step), (&mut procedure, &fixed), observer);
+        let seconds = [start.elapsed().as_secs_f64(), self.record.seconds() - written];
+        self.certificate.spent.add(self.scene, &procedure, seconds);
+        ended?;
+        contact::unsettled(self.scene).iter().for_each(|note| observer.event(Event::Note(note)));
+        Ok(())
+    }
+
+    /// All increments of a step.
+    fn increments(
+        &mut self,
+        model: &Model,
+        (number, step): (usize, &Step),
+        (procedure, fixed): (&mut CentralDifference, &[bool]),
+        observer: &mut dyn Observer,
+    ) -> Result<(), JobFailure> {
+        let explicit = explicit(step).expect("all steps are explicit");
         let mut last = self.state.dt;
         let mut turn = Turn { step: number, increment: 0, times: [0.0; 2], period: explicit.period };
         while self.state.step_time < explicit.period {
@@ -223,7 +243,7 @@ impl Run<'_> {
                     .weigh(&mut self.scene.terms(), self.state, stable)
                     .map_err(|halt| failure((number, self.state.step_time), in_words(self.scene, &halt)))?;
             }
-            let at = moment((model, self.scene), self.state, &procedure, &fixed);
+            let at = moment((model, self.scene), self.state, procedure, fixed);
             let Left { balance, has_frame } = self.record.increment(at, &turn, &step.output)?;
             let Some(balance) = balance else { continue };
             self.certificate.explicit = Some(balance);
@@ -237,7 +257,6 @@ impl Run<'_> {
                 return Err(self.failure(&turn, halted));
             }
         }
-        contact::unsettled(self.scene).iter().for_each(|note| observer.event(Event::Note(note)));
         Ok(())
     }
 

@@ -5,8 +5,9 @@ use super::energies::{Balance, Energies};
 use super::scene::Scene;
 use super::series::{self, Series};
 use super::values::{Moment, Values};
+use crate::certificate::RunCertificate;
 use crate::contact_fields;
-use crate::recorder::{results_file, tables_path};
+use crate::recorder::{RUN, results_file, run_info, tables_path};
 use fe_contact::summary::MeasureKind;
 use fe_io::Model;
 use fe_io::model::{Frames, History, Output};
@@ -18,6 +19,19 @@ use std::time::Instant;
 
 /// Increments from one look at the balance of energies to the next: a look costs about as much as an increment of contact.
 const LOOK: usize = 100;
+
+/// Columns of the run's certificate: seconds of elements are those of all that acts besides contact.
+const RUN_COLUMNS: [&str; 9] = [
+    "increments",
+    "elements",
+    "seconds_read",
+    "seconds_increments",
+    "seconds_elements",
+    "seconds_contact",
+    "seconds_write",
+    "seconds_total",
+    "peak_memory",
+];
 
 /// Which increment it is that has ended.
 #[derive(Clone, Copy, Debug)]
@@ -64,7 +78,7 @@ impl Record {
     /// Creates them.
     pub fn create(job: &Path, model: &Model, scene: &Scene) -> Result<Self, ResultsError> {
         let series = series::of(model, &scene.structure.mesh);
-        let histories = series.iter().map(|series| series.info.clone()).collect();
+        let histories = series.iter().map(|series| series.info.clone()).chain([run_info(&RUN_COLUMNS)]).collect();
         let file = results_file(job, model, &scene.structure, (fields(model, scene), histories))?;
         let tables = Tables::create(&tables_path(job))?;
         Ok(Record { file, tables, series, energies: Energies::default(), seconds: 0.0 })
@@ -123,8 +137,13 @@ impl Record {
         Ok(Left { balance, has_frame })
     }
 
-    /// The end of a job.
-    pub fn finish(self, outcome: &str) -> Result<(), ResultsError> {
+    /// The end of a job: its certificate, and how it ended.
+    pub fn finish(mut self, certificate: &RunCertificate, time: f64, outcome: &str) -> Result<(), ResultsError> {
+        let RunCertificate { increments, elements, spent, seconds, peak_memory, .. } = certificate;
+        let mut row = vec![*increments as f64, *elements as f64];
+        row.extend([seconds.read, spent.all, spent.others(), spent.contacts(), seconds.write, seconds.total]);
+        row.push(peak_memory.map_or(f64::NAN, |bytes| bytes as f64));
+        self.file.append_history(time, 0, 0, &[HistoryRow { name: RUN, values: &row }])?;
         self.file.finish(outcome)
     }
 }

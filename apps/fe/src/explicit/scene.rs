@@ -144,6 +144,11 @@ impl Scene {
         self.pairs.iter().flat_map(|(_, sides)| &sides.pairs)
     }
 
+    /// How many of [`Self::terms`], the last ones, are contact.
+    pub fn contact_terms(&self) -> usize {
+        self.pairs.len() + usize::from(self.general.is_some())
+    }
+
     /// Nodes that follow rigid bodies.
     pub fn following(&self) -> usize {
         self.followers.iter().map(|follower| follower.nodes.len()).sum()

@@ -136,3 +136,46 @@ fn b06_stable_chain() {
         assert_eq!(!lost && largest < 1e-7, bounded, "{part}: {largest}");
     }
 }
+
+/// Waits, and does nothing else.
+struct Waiting([std::time::Duration; 2]);
+
+impl ExplicitTerm for Waiting {
+    fn name(&self) -> &str {
+        "waiting"
+    }
+
+    fn correct(&mut self, _: &mut Predicted) {
+        std::thread::sleep(self.0[0]);
+    }
+
+    fn advance(&mut self, _: &Moving, _: &mut [f64]) -> Result<Advance, Halt> {
+        std::thread::sleep(self.0[1]);
+        Ok(Advance::default())
+    }
+
+    fn stored(&self) -> f64 {
+        0.0
+    }
+}
+
+/// A sleep lasts at least as long as it should, and what terms take is no more than all; the start is no part of it.
+#[test]
+fn each_term_has_its_seconds() {
+    let (structure, freedoms) = oscillator(4.0, 1.0);
+    let mut state = State::rest(&freedoms);
+    let mut lines = Lines::new(&structure, &freedoms, 0.0);
+    let waits = [[0, 40], [3, 2], [0, 6]].map(|wait| wait.map(std::time::Duration::from_millis));
+    let mut waiting = waits.map(Waiting);
+    let supports = (1..freedoms.len()).map(hold).collect();
+    let [first, second, third] = &mut waiting;
+    let terms: &mut Terms = &mut [&mut lines, first, second, third];
+    let mut procedure = CentralDifference::new(terms, supports, (1e9, f64::INFINITY), &mut state).unwrap();
+    assert_eq!(procedure.seconds(), [0.0; 4]);
+    let start = Instant::now();
+    (0..3).for_each(|_| procedure.advance(terms, &mut state, 0.05).unwrap());
+    let (all, seconds) = (start.elapsed().as_secs_f64(), procedure.seconds());
+    let least = [0.0, 0.120, 0.015, 0.018];
+    assert!(seconds.iter().zip(least).all(|(seconds, least)| *seconds >= least), "{seconds:?}");
+    assert!(seconds.iter().sum::<f64>() <= all, "{seconds:?} {all}");
+}
