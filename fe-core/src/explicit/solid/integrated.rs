@@ -26,7 +26,8 @@ pub(super) struct Integrated<const N: usize, const P: usize> {
     tables: Tables<N, P>,
     /// Local nodes of eight elements each; the last batch repeats its last element.
     nodes: Vec<[[u32; LANES]; N]>,
-    /// Mass, volume at the end of the last increment, parts of the mass at the nodes, then the points, batch after batch.
+    /// Mass, volume and pressure of bulk viscosity at the end of the last increment, parts of the mass at the nodes, then the points,
+    /// batch after batch.
     state: Vec<Lanes>,
 }
 
@@ -89,7 +90,7 @@ impl<const N: usize> Around<N> {
 }
 
 impl<const N: usize, const P: usize> Integrated<N, P> {
-    const NUMBERS: usize = 2 + N + OF_POINT * P;
+    const NUMBERS: usize = 3 + N + OF_POINT * P;
 
     /// Power of N that masses go with: functions of corners alone are positive.
     const POWER: i32 = if N > 8 { 2 } else { 1 };
@@ -153,7 +154,7 @@ impl<const N: usize, const P: usize> Integrated<N, P> {
         }
         let volume = around.iter().fold(Lanes::ZERO, |sum, point| sum + point.volume);
         let mean = mean(&around, volume);
-        let (own, of_points) = state.split_at_mut(2 + N);
+        let (own, of_points) = state.split_at_mut(3 + N);
         let mass = own[0];
         // Strain of the volume, over the one in the middle.
         let opened = (volume - own[1]) / (volume + own[1]) * 2.0;
@@ -181,22 +182,24 @@ impl<const N: usize, const P: usize> Integrated<N, P> {
             points[p] = Moved { motion, stress: point.stress, work, dissipated, middle };
         }
 
-        let square = square(&around, &mean, (volume, mass, &own[2..]), [lambda, mu]);
+        let squares = squares(&around, &mean, (volume, mass, &own[3..]), [lambda, mu]);
         let zero = Lanes::ZERO;
         let mut out = Batch {
             forces: [[zero; 3]; N],
-            stiffness: std::array::from_fn(|a| square * mass * own[2 + a]),
+            stiffness: std::array::from_fn(|a| squares[0] * mass * own[3 + a]),
             energies: [zero; 4],
             volume: around[0].volume,
             damping: zero,
             stable: zero,
         };
+        let before = own[2];
         for (around, point) in around.iter().zip(&points) {
             let Moved { motion, stress, work, dissipated, middle } = point;
-            let viscosity = Viscosity::new(common, dt, (volume, mass), (motion, square), false);
+            let viscosity = Viscosity::new(common, (dt, before), (volume, mass), (motion, squares), false);
             out.energies[0] += *work;
             out.energies[1] += *dissipated;
             out.energies[3] += viscosity.work * *middle;
+            own[2] = viscosity.pressure;
             out.volume = -(-out.volume).max(-around.volume);
             // The volume opens at all points alike.
             (out.damping, out.stable) = (viscosity.damping, viscosity.stable);
@@ -243,14 +246,14 @@ fn mean<const N: usize, const P: usize>(around: &[Around<N>; P], volume: Lanes) 
 }
 
 /// ω² ≤ 2μ max_a Σ_b |Λ_ab|/m_a + λ V Σ_a |b_a|²/m_a with Λ_ab = ∫∇N_a · ∇N_b dV (Gershgorin), in rings N_a N_b/r² besides: within
-/// a tenth of a cube's.
+/// a tenth of a cube's. Also what λ is multiplied with.
 #[inline(always)]
-fn square<const N: usize, const P: usize>(
+fn squares<const N: usize, const P: usize>(
     around: &[Around<N>; P],
     mean: &[Vector; N],
     (volume, mass, shares): (Lanes, Lanes, &[Lanes]),
     [lambda, mu]: [Lanes; 2],
-) -> Lanes {
+) -> [Lanes; 2] {
     let (mut largest, mut sum) = (Lanes::ZERO, Lanes::ZERO);
     for a in 0..N {
         let mut row = Lanes::ZERO;
@@ -267,7 +270,7 @@ fn square<const N: usize, const P: usize>(
         let b = &mean[a];
         sum += (b[0] * b[0] + b[1] * b[1] + b[2] * b[2]) / shares[a];
     }
-    (largest * mu * 2.0 + sum * volume * lambda) / mass
+    [largest * mu * 2.0 + sum * volume * lambda, sum * volume].map(|square| square / mass)
 }
 
 impl<const N: usize, const P: usize> Elements for Integrated<N, P> {
@@ -297,10 +300,10 @@ impl<const N: usize, const P: usize> Elements for Integrated<N, P> {
             }
             own[0] = volume * common.density;
             for a in 0..N {
-                own[2 + a] = parts[a] / whole;
+                own[3 + a] = parts[a] / whole;
                 for lane in 0..(count - b * LANES).min(LANES) {
                     let mass = factor(b * LANES + lane) * own[0].0[lane];
-                    masses[self.nodes[b][a][lane] as usize] += mass * own[2 + a].0[lane];
+                    masses[self.nodes[b][a][lane] as usize] += mass * own[3 + a].0[lane];
                 }
             }
         }
@@ -316,7 +319,7 @@ impl<const N: usize, const P: usize> Elements for Integrated<N, P> {
 
     /// Means of the points.
     fn point(&self, element: usize) -> ([f64; 6], f64) {
-        let points = &self.state[element / LANES * Self::NUMBERS + 2 + N..];
+        let points = &self.state[element / LANES * Self::NUMBERS + 3 + N..];
         let mean = |i: usize| (0..P).map(|p| points[OF_POINT * p + i].0[element % LANES]).sum::<f64>() / P as f64;
         (std::array::from_fn(mean), mean(6))
     }

@@ -3,7 +3,7 @@
 use super::batch::{Batch, Common};
 use super::hourglass::{resist, resistance};
 use super::motion::{Matrix, Motion, full};
-use super::one_point::{HOURGLASS, MASS, PLASTIC};
+use super::one_point::{HOURGLASS, MASS, PLASTIC, VISCOUS};
 use super::response::Point;
 use super::shape::{Shape, Vector};
 use super::viscosity::Viscosity;
@@ -141,7 +141,15 @@ pub(super) fn batch<S: Shape<N, H>, const N: usize, const H: usize, const FUSED:
     let [lambda, mu] = done.moduli;
     let stiffness = volume * (geometry.largest * mu * 2.0 + geometry.divergence * lambda.max(Lanes::ZERO));
     let square = stiffness * lightest / mass;
-    let viscosity = Viscosity::new(common, dt, (volume, mass), (&motion, square), S::SPACE == Space::PlaneStress);
+    let squares = [square, volume * geometry.divergence * lightest / mass];
+    let viscosity = Viscosity::new(
+        common,
+        (dt, state[VISCOUS]),
+        (volume, mass),
+        (&motion, squares),
+        S::SPACE == Space::PlaneStress,
+    );
+    state[VISCOUS] = viscosity.pressure;
 
     // V σ, less what the hourglass forces have of a constant gradient.
     let mut stress = point.stress;

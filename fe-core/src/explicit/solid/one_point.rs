@@ -9,14 +9,15 @@ use crate::lanes::{LANES, Lanes};
 use pulp::{Arch, Simd, WithSimd};
 use std::marker::PhantomData;
 
-/// Numbers of state of a batch: stress, plastic strain, element mass, hourglass forces; in a plane also 1 over the lightest
-/// node's part of the mass, and the stretch of the thickness.
+/// Numbers of state of a batch: stress, plastic strain, element mass, pressure of bulk viscosity, hourglass forces; in a plane also
+/// 1 over the lightest node's part of the mass, and the stretch of the thickness.
 const fn numbers(space: Space, hourglass: usize) -> usize {
     HOURGLASS + 3 * hourglass + if matches!(space, Space::Solid) { 0 } else { 2 }
 }
 pub(super) const PLASTIC: usize = 6;
 pub(super) const MASS: usize = 7;
-pub(super) const HOURGLASS: usize = 8;
+pub(super) const VISCOUS: usize = 8;
+pub(super) const HOURGLASS: usize = 9;
 
 #[derive(Debug)]
 pub(super) struct OnePoint<S, const N: usize, const H: usize> {

@@ -8,7 +8,10 @@ use crate::lanes::Lanes;
 pub(super) struct Viscosity {
     /// The stress.
     pub stress: Symmetric,
-    /// Work per volume [F/L²] that it takes.
+    /// Of it the pressure of bulk viscosity, to be kept for the next increment.
+    pub pressure: Lanes,
+    /// Work per volume [F/L²] that it takes: what central differences lose to a force is half of it before and half of it now, times
+    /// the way; of the damping of materials what it is now.
     pub work: Lanes,
     /// 2ξω [1/T].
     pub damping: Lanes,
@@ -17,14 +20,16 @@ pub(super) struct Viscosity {
 }
 
 impl Viscosity {
-    /// Of bulk viscosity, a pressure against the rate of volume, ξ = b₁ + b₂² · closing rate · 2/ω; and of the β of the material,
-    /// β C : ε̇ with the elasticity C of small strains, ξ = ½ β ω.
+    /// Of bulk viscosity, a pressure against the rate of volume with b = b₁ + b₂² · closing rate · 2/ω of what is critical of a wave;
+    /// a mode that changes the volume in all directions has more of it, ξ = b (λ + 2μ) ω_v²/ω², ω_v² what λ is multiplied with in
+    /// ω² (`volumetric`; for a cube ξ = 3b (λ + 2μ)/(3λ + 2μ)); and of the β of the material,
+    /// β C : ε̇ with the elasticity C of small strains, ξ = ½ β ω. `before` is the pressure of the increment before.
     #[inline(always)]
     pub fn new(
         common: &Common,
-        dt: f64,
+        (dt, before): (f64, Lanes),
         (volume, mass): (Lanes, Lanes),
-        (motion, square): (&Motion, Lanes),
+        (motion, [square, volumetric]): (&Motion, [Lanes; 2]),
         is_plane_stress: bool,
     ) -> Self {
         let (answer, e) = (&common.answer, &motion.strain);
@@ -37,7 +42,10 @@ impl Viscosity {
         let closing = (-rate).max(Lanes::ZERO);
         let mut fraction = Lanes::splat(linear) + closing * free * (quadratic * quadratic);
         let pressure = density * speed * length * fraction * rate;
-        let mut stress = [pressure, pressure, pressure, Lanes::ZERO, Lanes::ZERO, Lanes::ZERO];
+        // Where the thickness is free it closes as the plane opens, by λ/(λ + 2μ).
+        let modulus = if is_plane_stress { 2.0 * answer.mu } else { answer.lambda + 2.0 * answer.mu };
+        fraction = fraction * volumetric * modulus / square;
+        let mut stress = [Lanes::ZERO; 6];
         if common.beta > 0.0 {
             fraction += Lanes::splat(common.beta) / free;
             let by = if dt > 0.0 { common.beta / dt } else { 0.0 };
@@ -48,14 +56,19 @@ impl Viscosity {
                 stress[i + 3] += e[i + 3] * (2.0 * answer.mu * by);
             }
         }
-        if is_plane_stress {
-            stress[2] = Lanes::ZERO;
-        }
-        let mut work = stress[0] * e[0] + stress[1] * e[1] + stress[2] * e[2];
+        // The thickness of a plane is free.
+        let pressed = if is_plane_stress { 2 } else { 3 };
+        stress[pressed..3].fill(Lanes::ZERO);
+        let mut work = Lanes::ZERO;
         if common.beta > 0.0 {
+            work += stress[0] * e[0] + stress[1] * e[1] + stress[2] * e[2];
             work += (stress[3] * e[3] + stress[4] * e[4] + stress[5] * e[5]) * 2.0;
         }
+        for i in 0..pressed {
+            work += (before + pressure) * e[i] * 0.5;
+            stress[i] += pressure;
+        }
         let stable = free * ((fraction * fraction + Lanes::splat(1.0)).sqrt() - fraction);
-        Viscosity { stress, work, damping: fraction * free * square, stable }
+        Viscosity { stress, pressure, work, damping: fraction * free * square, stable }
     }
 }
