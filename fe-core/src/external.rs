@@ -3,7 +3,7 @@
 use crate::ramp::Ramp;
 
 /// Dead loads: sparse force vectors for a magnitude of one, each with its course over the step. They have no
-/// stiffness and no history, so they are a vector and not a term; a load that follows the motion would be a term.
+/// stiffness and no history, so they are a vector and not a term; pressures that follow the motion are in [`crate::explicit::loads`].
 #[derive(Clone, Debug, Default)]
 pub struct ExternalForces {
     /// (freedom, force for magnitude 1) and the magnitude.

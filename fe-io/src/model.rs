@@ -129,6 +129,8 @@ pub struct Output {
     pub fields: Option<Vec<String>>,
     /// When a frame is stored; the last increment of a step always is.
     pub frames: Frames,
+    /// At the ends of these intervals increments of an explicit step end, too.
+    pub marks: Vec<Frames>,
     /// Histories of an explicit step.
     pub histories: Vec<HistoryRequest>,
 }
@@ -191,18 +193,34 @@ impl Frames {
     /// True when the increment of this number, from 1, is stored that goes from one step time to another in a step of a
     /// period [T].
     pub fn hold(&self, increment: usize, [from, to]: [f64; 2], period: f64) -> bool {
-        let crossed = |interval: f64| {
-            // A time that is reached but for rounding is reached.
-            let passed = |time: f64| (time / interval * (1.0 + 8.0 * f64::EPSILON)).floor();
-            passed(to) > passed(from)
-        };
-        to >= period
-            || match *self {
-                Frames::Increments(every) => every > 0 && increment.is_multiple_of(every),
-                Frames::Parts(parts) => crossed(period / parts as f64),
-                Frames::Time(interval) => crossed(interval),
-            }
+        let crossed = |interval: f64| passed(to, interval) > passed(from, interval);
+        match *self {
+            _ if to >= period => true,
+            Frames::Increments(every) => every > 0 && increment.is_multiple_of(every),
+            Frames::Parts(_) | Frames::Time(_) => self.interval(period).is_some_and(crossed),
+        }
     }
+
+    /// Time [T] from one to the next in a step of a period [T]; `None` where increments are counted.
+    pub fn interval(&self, period: f64) -> Option<f64> {
+        match *self {
+            Frames::Increments(_) => None,
+            Frames::Parts(parts) => Some(period / parts as f64),
+            Frames::Time(interval) => Some(interval),
+        }
+    }
+
+    /// The step time [T] at which the interval ends that begins at a step time or goes on there; the end of the step at the
+    /// latest.
+    pub fn end(&self, time: f64, period: f64) -> f64 {
+        let end = self.interval(period).map_or(period, |interval| (passed(time, interval) + 1.0) * interval);
+        if passed(end, period) >= 1.0 { period } else { end }
+    }
+}
+
+/// How many intervals have ended at a time; one that is reached but for rounding is reached.
+fn passed(time: f64, interval: f64) -> f64 {
+    (time / interval * (1.0 + 8.0 * f64::EPSILON)).floor()
 }
 
 /// One table request.
@@ -282,5 +300,20 @@ mod tests {
         assert_eq!(stored(Frames::Parts(4)), [3, 5, 8, 10]);
         assert_eq!(stored(Frames::Parts(10)), [1, 2, 3, 4, 5, 6, 7, 8, 9, 10]);
         assert_eq!(stored(Frames::Time(0.45)), [5, 9, 10]);
+    }
+
+    /// Step times at which intervals end in a step of so long a period.
+    fn ends(frames: Frames, period: f64) -> Vec<f64> {
+        std::iter::successors(Some(0.0), |&time| Some(frames.end(time, period)).filter(|_| time < period)).collect()
+    }
+
+    #[test]
+    fn intervals_end_once_each_and_with_the_step() {
+        assert_eq!(ends(Frames::Time(0.45), 1.0), [0.0, 0.45, 0.9, 1.0]);
+        assert_eq!(ends(Frames::Increments(3), 1.0), [0.0, 1.0]);
+        for parts in 1..200 {
+            assert_eq!(ends(Frames::Parts(parts), 0.7).len(), parts + 1);
+            assert_eq!(ends(Frames::Time(0.7 / parts as f64), 0.7).len(), parts + 1);
+        }
     }
 }

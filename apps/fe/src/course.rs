@@ -2,8 +2,9 @@
 
 use fe_core::Freedoms;
 use fe_core::amplitude::{Amplitude, TimeBase};
+use fe_core::explicit::loads::Loads;
 use fe_core::external::ExternalForces;
-use fe_core::load::{self, Load, LoadError, LoadKind, Prescribed, Support};
+use fe_core::load::{self, Load, LoadError, LoadKind, Prescribed, PressedFace, Support};
 use fe_core::procedure::Converged;
 use fe_core::ramp::Ramp;
 use fe_core::step::Procedure;
@@ -121,12 +122,36 @@ impl Course {
         self.supports.iter().map(|(f, (prescribed, ramp))| (*f, *prescribed, ramp.clone()))
     }
 
-    /// Loads of the step.
+    /// Loads of the step, all of them as they are at the start.
     pub fn external(&self, structure: &Structure, freedoms: &Freedoms) -> Result<ExternalForces, LoadError> {
+        self.dead(self.nodal.iter().chain(&self.distributed), structure, freedoms)
+    }
+
+    /// Loads of an explicit step: pressures follow their faces.
+    pub fn following(&self, structure: &Structure, freedoms: &Freedoms) -> Result<Loads, LoadError> {
+        let faces = |active: &Active| match &active.kind {
+            LoadKind::Pressure { faces } => Some(faces.clone()),
+            _ => None,
+        };
+        let others = self.distributed.iter().filter(|active| faces(active).is_none());
+        let mut loads = Loads::new(self.dead(self.nodal.iter().chain(others), structure, freedoms)?, self.end.2);
+        for active in &self.distributed {
+            let Some(faces) = faces(active) else { continue };
+            let pressed = faces.into_iter().map(|face| PressedFace::new(face, structure, freedoms));
+            loads = loads.press(pressed.collect::<Result<_, _>>()?, active.ramp.clone());
+        }
+        Ok(loads)
+    }
+
+    fn dead<'a>(
+        &self,
+        loads: impl Iterator<Item = &'a Active>,
+        structure: &Structure,
+        freedoms: &Freedoms,
+    ) -> Result<ExternalForces, LoadError> {
         let mut parts = Vec::new();
-        for active in self.nodal.iter().chain(&self.distributed) {
-            let load = Load { kind: active.kind.clone(), magnitude: 1.0, amplitude: None };
-            parts.push((load::unit_forces(&load.kind, structure, freedoms)?, active.ramp.clone()));
+        for active in loads {
+            parts.push((load::unit_forces(&active.kind, structure, freedoms)?, active.ramp.clone()));
         }
         parts.extend(self.released.iter().map(|(f, ramp)| (vec![(*f, 1.0)], ramp.clone())));
         Ok(ExternalForces { parts })

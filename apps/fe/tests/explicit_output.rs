@@ -120,3 +120,36 @@ fn the_time_of_increments_is_told_by_what_took_it() {
     assert!(100.0 * others / all >= elements - 0.05, "{line} {row:?}");
     assert!(read + all <= total && others + contact <= all && write <= total, "{row:?}");
 }
+
+/// A card below `*OUTPUT, HISTORY` may say its own FREQUENCY, which holds for it alone.
+#[test]
+fn a_card_below_a_history_has_its_own_frequency() {
+    let deck = bar("*STEP\n*DYNAMIC, EXPLICIT, DIRECT USER CONTROL\n0.5, 10.\n*OUTPUT, HISTORY, TIME INTERVAL=5.\n\
+                    *NODE OUTPUT, NSET=END, FREQUENCY=8\nU1\n*NODE OUTPUT, NSET=FOOT\nRF1\n*END STEP\n");
+    let job = Job::run("history_frequency", &deck);
+    let times = |name: &str| rows(&job, name, 1).iter().map(|row| row.0).collect::<Vec<_>>();
+    assert_eq!(times("U1 of END"), [0.0, 4.0, 8.0, 10.0]);
+    assert_eq!(times("RF1 of FOOT"), [0.0, 5.0, 10.0]);
+}
+
+/// TIME MARKS=YES: increments end at the times of frames and histories; without it they pass them.
+#[test]
+fn increments_end_at_time_marks() {
+    let output = |marks: &str| {
+        bar(&format!(
+            "*STEP\n*DYNAMIC, EXPLICIT\n, 10.\n*OUTPUT, FIELD, NUMBER INTERVAL=4{marks}\n*NODE OUTPUT\nU\n\
+             *OUTPUT, HISTORY, TIME INTERVAL=0.75{marks}\n*NODE OUTPUT, NSET=END\nU1\n*END STEP\n"
+        ))
+    };
+    let near = |times: &[f64], wanted: &[f64]| {
+        times.len() == wanted.len() && times.iter().zip(wanted).all(|(t, w)| (t - w).abs() <= 1e-14 * w)
+    };
+    let job = Job::run("time_marks", &output(", TIME MARKS=YES"));
+    let histories: Vec<f64> = (0..14).map(|i| 0.75 * f64::from(i)).chain([10.0]).collect();
+    let ends = rows(&job, "U1 of END", 1).iter().map(|row| row.0).collect::<Vec<_>>();
+    assert!(near(&ends, &histories), "{ends:?}");
+    assert!(near(&job.results().times(), &[0.0, 2.5, 5.0, 7.5, 10.0]), "{:?}", job.results().times());
+    assert!(job.plan().contains("increments end every 2.5"), "{}", job.plan());
+    let without = Job::run("no_time_marks", &output("")).results().times();
+    assert!(without.len() == 5 && without[1] > 2.51, "{without:?}");
+}

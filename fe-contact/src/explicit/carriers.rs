@@ -20,6 +20,17 @@ pub struct RigidFollower {
     pub nodes: Vec<u32>,
 }
 
+impl RigidFollower {
+    /// Displacement [L] and velocity [L/T] of one of its nodes at those of all freedoms.
+    pub fn carried(&self, node: u32, (structure, freedoms): (&Structure, &Freedoms), at: [&[f64]; 2]) -> [[f64; 3]; 2] {
+        let mut body = Body::new(structure, freedoms, self.reference);
+        body.update(at[0], at[1]);
+        let start = Vec3::from(structure.mesh.points[node as usize]);
+        let now = body.place_of(&start);
+        [(now - start).into(), body.velocity_at(&now).into()]
+    }
+}
+
 /// A rigid body in motion.
 #[derive(Clone, Debug)]
 pub(super) struct Body {
@@ -71,6 +82,11 @@ impl Body {
     /// Where a point of it is now that was at `x` at the start, in the coordinates of the start.
     pub fn seen(&self, x: &Vec3) -> Vec3 {
         self.start + self.rotation.inverse() * (x - self.place)
+    }
+
+    /// Where a point of it is now [L] that was at `x` at the start.
+    pub fn place_of(&self, x: &Vec3) -> Vec3 {
+        self.place + self.rotation * (x - self.start)
     }
 
     /// Velocity of a point of it.

@@ -1,8 +1,9 @@
 //! Central differences: velocities stand in the middle of the increments.
 //!
 //! v(n+½) = v(n−½) + a(n) (Δt(n−1) + Δt(n))/2, u(n+1) = u(n) + v(n+½) Δt(n), a = M⁻¹ f. With a constant increment
-//! ½ v(n−½) M v(n+½) plus what the forces have taken, by the trapezoidal rule, is constant to rounding. Nodes with rotations in
-//! space: [`super::rotation`].
+//! ½ v(n−½) M v(n+½) plus what the forces have taken, by the trapezoidal rule, is constant to rounding. An increment of another
+//! length changes it by ¼ f(n) (v(n+½) − v(n−½)) (Δt(n−1) − Δt(n)), which is ⅛ a M a (Δt(n−1)² − Δt(n)²): much of what the highest
+//! modes have. Nodes with rotations in space: [`super::rotation`].
 
 use super::rotation::Triad;
 use super::{Advance, ExplicitTerm, Halt, Moving, Predicted};
@@ -39,6 +40,8 @@ pub struct State {
     pub total_time: f64,
     /// Work of supports so far [F L].
     pub work: f64,
+    /// What changes of the increment have given so far [F L]; at constant increments it stays.
+    pub fed: f64,
     /// First rotation of each node that has three of them.
     pub rotations: Vec<usize>,
 }
@@ -132,7 +135,8 @@ impl CentralDifference {
     /// Where an element is lost or the motion has no end.
     pub fn advance(&mut self, terms: &mut Terms, state: &mut State, dt: f64) -> Result<(), Halt> {
         assert_eq!(terms.len(), self.seconds.len(), "other terms than the step began with");
-        let mean = 0.5 * (state.dt + dt);
+        let (mean, shorter) = (0.5 * (state.dt + dt), state.dt - dt);
+        let power = if shorter == 0.0 { 0.0 } else { self.power(state) };
         self.triads.iter_mut().for_each(|triad| triad.begin(&state.v, state.dt));
         let free = state.v.iter_mut().zip(&state.force).zip(&self.mass).zip(&self.is_prescribed);
         for (((v, f), m), prescribed) in free {
@@ -165,6 +169,9 @@ impl CentralDifference {
         for triad in &mut self.triads {
             triad.turn(state, dt, &self.is_prescribed)?;
         }
+        if shorter != 0.0 {
+            state.fed += 0.25 * shorter * (self.power(state) - power);
+        }
         (state.step_time, state.total_time, state.dt) = (state.step_time + dt, state.total_time + dt, dt);
         let (step_time, total_time) = (state.step_time, state.total_time);
         let at = Moving { u: &state.u, v: &state.v, step_time, total_time, dt, stable: dt };
@@ -179,6 +186,12 @@ impl CentralDifference {
             state.work += 0.5 * (gained - (force + state.force[freedom]) * v * dt);
         }
         Ok(())
+    }
+
+    /// What the forces of the last end give to free freedoms at the velocities there are [F L/T].
+    fn power(&self, state: &State) -> f64 {
+        let free = state.force.iter().zip(&state.v).zip(&self.is_prescribed).filter(|(_, prescribed)| !**prescribed);
+        free.map(|((f, v), _)| f * v).sum()
     }
 
     /// Sets the velocities of supports; what they had as force and velocity before.
@@ -222,8 +235,8 @@ impl CentralDifference {
         straight + self.tensors().map(turning).sum::<f64>()
     }
 
-    /// What stands for it in the balance [F L]: ½ v(n−½) M v(n+½), which increments of the same length conserve. It is less by
-    /// ⅛ Δt² a M a, and may be below 0.
+    /// What stands for it in the balance [F L]: ½ v(n−½) M v(n+½), less what changes of the increment have given to it. It may be
+    /// below 0.
     pub fn conserved(&self, state: &State) -> f64 {
         let next = |f: usize| if self.is_prescribed[f] { 0.0 } else { state.force[f] * state.dt };
         let each = |f: usize| 0.5 * state.v[f] * (self.mass[f] * state.v[f] + next(f));
@@ -232,7 +245,7 @@ impl CentralDifference {
             let own = triad.first..triad.first + 3;
             own.map(|f| 0.5 * state.v[f] * (momentum[f - triad.first] - self.mass[f] * state.v[f])).sum::<f64>()
         };
-        (0..state.v.len()).map(each).sum::<f64>() + self.tensors().map(turning).sum::<f64>()
+        (0..state.v.len()).map(each).sum::<f64>() + self.tensors().map(turning).sum::<f64>() - state.fed
     }
 
     /// Velocity [L/T or 1/T] at the end of the last increment. Forces do not act alone on what impulses have moved: the next ones

@@ -89,50 +89,14 @@ const NODES: usize = 10;
 
 impl Forces<'_> {
     fn add(&mut self, node: u32, component: usize, force: f64) -> Result<(), LoadError> {
-        let freedom = self.freedoms.index(node as usize, component).ok_or_else(|| LoadError::NoFreedom {
-            label: self.structure.mesh.point_name(node),
-            component: component as u8,
-        })?;
+        let freedom = freedom(self.structure, self.freedoms, (node, component))?;
         *self.sum.entry(freedom).or_insert(0.0) += force;
         Ok(())
     }
 
-    fn section(&self, cell: CellId) -> Result<&Section, LoadError> {
-        let label = || self.structure.mesh.cell_name(cell);
-        self.structure.section_of(cell).ok_or_else(|| LoadError::NoSection { label: label() })
-    }
-
-    /// f_a = −∫ N_a n dA, n outward: the rule is exact for the face's own polynomials.
     fn press(&mut self, face: Face) -> Result<(), LoadError> {
-        let mesh = &self.structure.mesh;
-        let section = self.section(face.cell)?;
-        let (space, thickness) = (section.element.space(), section.thickness);
-        if usize::from(face.face) >= mesh.kind(face.cell).faces().len() {
-            return Err(LoadError::NoFace { label: mesh.cell_name(face.cell), face: face.face });
-        }
-        let (kind, nodes) = mesh.face(face);
-        let degree = match kind {
-            CellKind::Tri3 => 1,
-            CellKind::Tri6 => 4,
-            CellKind::Quad4 => 3,
-            _ => 5,
-        };
-        let x: Vec<[f64; 3]> = nodes.iter().map(|&n| mesh.points[n as usize]).collect();
-        let mut force = [[0.0; 3]; NODES];
-        for (xi, weight) in Rule::of(kind, degree).points {
-            let at = Place::new(kind, &x, &xi);
-            let normal = match kind.dimension() {
-                1 => [at.tangents[0][1], -at.tangents[0][0], 0.0],
-                _ => cross(&at.tangents[0], &at.tangents[1]),
-            };
-            let measure = weight * across(space, thickness, at.position[0]);
-            for (force, value) in force.iter_mut().zip(at.values).take(nodes.len()) {
-                (0..3).for_each(|i| force[i] -= value * measure * normal[i]);
-            }
-        }
-        for (node, force) in nodes.iter().zip(force) {
-            (0..space.dimension()).try_for_each(|i| self.add(*node, i, force[i]))?;
-        }
+        let face = PressedFace::new(face, self.structure, self.freedoms)?;
+        face.forces(&[], |f, force| *self.sum.entry(f).or_insert(0.0) += force);
         Ok(())
     }
 
@@ -173,10 +137,11 @@ impl Forces<'_> {
 
     /// f_a = ρ ∫ N_a dV times the direction.
     fn pull(&mut self, cell: CellId, direction: &[f64; 3]) -> Result<(), LoadError> {
-        let mesh = &self.structure.mesh;
-        let section = self.section(cell)?;
+        let structure = self.structure;
+        let mesh = &structure.mesh;
+        let section = section(structure, cell)?;
         let (space, thickness) = (section.element.space(), section.thickness);
-        let material = &self.structure.materials[section.material];
+        let material = &structure.materials[section.material];
         let label = || mesh.cell_name(cell);
         let density =
             material.density.ok_or_else(|| LoadError::NoDensity { label: label(), material: material.name.clone() })?;
@@ -207,6 +172,89 @@ impl Forces<'_> {
             (0..space.dimension()).try_for_each(|i| self.add(*node, i, mass * direction[i]))?;
         }
         Ok(())
+    }
+}
+
+fn section(structure: &Structure, cell: CellId) -> Result<&Section, LoadError> {
+    structure.section_of(cell).ok_or_else(|| LoadError::NoSection { label: structure.mesh.cell_name(cell) })
+}
+
+fn freedom(structure: &Structure, freedoms: &Freedoms, (node, component): (u32, usize)) -> Result<usize, LoadError> {
+    freedoms
+        .index(node as usize, component)
+        .ok_or_else(|| LoadError::NoFreedom { label: structure.mesh.point_name(node), component: component as u8 })
+}
+
+/// A face of a solid that a pressure acts on.
+#[derive(Clone, Debug)]
+pub struct PressedFace {
+    kind: CellKind,
+    space: Space,
+    /// Of a plane [L].
+    thickness: f64,
+    /// Where its nodes are at the start [L], and their translations.
+    nodes: Vec<([f64; 3], [usize; 3])>,
+}
+
+impl PressedFace {
+    /// With the freedoms of its nodes.
+    ///
+    /// # Errors
+    /// Where the element has no such face or no section, or a node no freedoms.
+    pub fn new(face: Face, structure: &Structure, freedoms: &Freedoms) -> Result<Self, LoadError> {
+        let mesh = &structure.mesh;
+        let section = section(structure, face.cell)?;
+        let (space, thickness) = (section.element.space(), section.thickness);
+        if usize::from(face.face) >= mesh.kind(face.cell).faces().len() {
+            return Err(LoadError::NoFace { label: mesh.cell_name(face.cell), face: face.face });
+        }
+        let (kind, nodes) = mesh.face(face);
+        let node = |&n: &u32| {
+            let mut own = [0; 3];
+            for (c, own) in own.iter_mut().enumerate().take(space.dimension()) {
+                *own = freedom(structure, freedoms, (n, c))?;
+            }
+            Ok::<_, LoadError>((mesh.points[n as usize], own))
+        };
+        let nodes = nodes.iter().map(node).collect::<Result<_, _>>()?;
+        Ok(PressedFace { kind, space, thickness, nodes })
+    }
+
+    /// Freedoms of its nodes, in the order of [`Self::forces`].
+    pub fn freedoms(&self) -> impl Iterator<Item = usize> + '_ {
+        self.nodes.iter().flat_map(|(_, own)| own.iter().copied().take(self.space.dimension()))
+    }
+
+    /// Force [F] of a pressure of 1 on each of the freedoms, where they have moved by `u` [L], all of the model; without one, at
+    /// the start: f_a = −∫ N_a n dA, n outward. The rule is exact for the face's own polynomials.
+    pub fn forces(&self, u: &[f64], mut add: impl FnMut(usize, f64)) {
+        let degree = match self.kind {
+            CellKind::Tri3 => 1,
+            CellKind::Tri6 => 4,
+            CellKind::Quad4 => 3,
+            _ => 5,
+        };
+        let (dimension, count) = (self.space.dimension(), self.nodes.len());
+        let mut x = [[0.0; 3]; NODES];
+        for (x, (start, own)) in x.iter_mut().zip(&self.nodes) {
+            *x = *start;
+            (0..dimension).for_each(|c| x[c] += u.get(own[c]).copied().unwrap_or(0.0));
+        }
+        let mut force = [[0.0; 3]; NODES];
+        for (xi, weight) in Rule::of(self.kind, degree).points {
+            let at = Place::new(self.kind, &x[..count], &xi);
+            let normal = match self.kind.dimension() {
+                1 => [at.tangents[0][1], -at.tangents[0][0], 0.0],
+                _ => cross(&at.tangents[0], &at.tangents[1]),
+            };
+            let measure = weight * across(self.space, self.thickness, at.position[0]);
+            for (force, value) in force.iter_mut().zip(at.values).take(count) {
+                (0..3).for_each(|i| force[i] -= value * measure * normal[i]);
+            }
+        }
+        for ((_, own), force) in self.nodes.iter().zip(force) {
+            (0..dimension).for_each(|c| add(own[c], force[c]));
+        }
     }
 }
 

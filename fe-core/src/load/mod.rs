@@ -2,7 +2,7 @@
 
 mod force;
 
-pub use force::{LoadError, unit_forces};
+pub use force::{LoadError, PressedFace, unit_forces};
 
 use fe_mesh::{CellId, Face};
 

@@ -1,7 +1,9 @@
 use super::{Choice, Data, DataLine, Field, Keyword, Kind, Level, Parameter};
 
 const ELSET: Parameter = Parameter::name("ELSET", "the elements").required();
-const POISSON: Parameter = Parameter::idle("POISSON", "displacements are small: cross-sections keep their size");
+const POISSON: Parameter = Parameter::idle("POISSON", "cross-sections keep their size");
+const ROTARY: &str = "explicit steps raise it until only stretching limits the increment; static ones have none";
+const LUMPED: &str = "masses are lumped in explicit steps; static ones have no inertia";
 const GENERAL_INSTEAD: &str = "give area and moments by `*BEAM GENERAL SECTION, SECTION=GENERAL`";
 const RECT: Choice = Choice::there("RECT");
 const CIRC: Choice = Choice::there("CIRC");
@@ -69,8 +71,8 @@ pub const BEAM_SECTION: Keyword = Keyword {
         Parameter::name("MATERIAL", "their material").required(),
         Parameter::choice("SECTION", INTEGRATED, "shape of the cross-section").required(),
         POISSON,
-        Parameter::idle("ROTARY INERTIA", "steps are static"),
-        Parameter::idle("LUMPED", "steps are static"),
+        Parameter::idle("ROTARY INERTIA", ROTARY),
+        Parameter::idle("LUMPED", LUMPED),
         Parameter::idle("TEMPERATURE", "there are no temperatures"),
     ],
     data: Data::Lines(&[
@@ -96,8 +98,8 @@ pub const BEAM_GENERAL_SECTION: Keyword = Keyword {
         Parameter::not_yet("MATERIAL", "write E and G on the third data line"),
         Parameter::not_yet("DEPENDENCIES", "give one line of constants"),
         POISSON,
-        Parameter::idle("ROTARY INERTIA", "steps are static"),
-        Parameter::idle("LUMPED", "steps are static"),
+        Parameter::idle("ROTARY INERTIA", ROTARY),
+        Parameter::idle("LUMPED", LUMPED),
         Parameter::idle("ZERO", "there are no temperatures"),
     ],
     data: Data::Lines(&[

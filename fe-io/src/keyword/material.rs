@@ -134,7 +134,11 @@ pub const DAMPING: Keyword = Keyword {
     level: Level::Model,
     summary: "Rayleigh damping α M + β K in dynamic steps, under *MATERIAL",
     parameters: &[
-        Parameter::of("ALPHA", Kind::Number, "factor [1/T] on the mass, ≥ 0; 0"),
+        Parameter::of(
+            "ALPHA",
+            Kind::Number,
+            "factor [1/T] on the mass of the density, without what mass scaling adds, ≥ 0; 0",
+        ),
         Parameter::of(
             "BETA",
             Kind::Number,

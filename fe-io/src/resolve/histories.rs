@@ -1,6 +1,6 @@
 //! Histories of explicit steps: `*OUTPUT, HISTORY` and the cards below it.
 
-use super::requests::{intervals, set_name, unknown_key};
+use super::requests::{intervals, set_name, unknown_key, without_marks};
 use super::scene::{Analysis, Scene};
 use super::which_pair;
 use crate::deck::card::{Token, normalized};
@@ -25,6 +25,8 @@ pub struct Histories {
     /// `None` where no step has one yet.
     list: Option<Vec<HistoryRequest>>,
     when: Option<Frames>,
+    /// Those at whose times increments end.
+    marks: Vec<Frames>,
 }
 
 impl Histories {
@@ -35,7 +37,10 @@ impl Histories {
         let list = self.list.get_or_insert_default();
         if first {
             list.clear();
+            self.marks.clear();
         }
+        without_marks(entry, when, diagnostics);
+        self.marks.extend(Some(when).filter(|_| entry.says("TIME MARKS", "YES")));
         if entry.has("VARIABLE") {
             list.extend(USUAL.map(|of| HistoryRequest { of, when }));
         }
@@ -62,6 +67,8 @@ impl Histories {
             "CONTACT OUTPUT" => RESULTANTS,
             _ => ENERGIES,
         };
+        refuse_regions(entry, diagnostics);
+        let when = entry.whole("FREQUENCY").map_or(when, |every| Frames::Increments(every as usize));
         let words = words(entry, known, scene, diagnostics);
         let of = match star {
             "ENERGY OUTPUT" => vec![History::Energies],
@@ -75,6 +82,11 @@ impl Histories {
         if diagnostics.faults() == before {
             self.list.get_or_insert_default().extend(of.into_iter().map(|of| HistoryRequest { of, when }));
         }
+    }
+
+    /// At the ends of these intervals increments end.
+    pub fn marks(&self) -> &[Frames] {
+        &self.marks
     }
 
     /// What holds in a step.
@@ -118,6 +130,21 @@ fn words(
         }
     }
     words
+}
+
+/// Refuses regions that a card has no use for.
+fn refuse_regions(entry: &Entry<'_>, diagnostics: &mut Diagnostics) {
+    let own: &[&str] = match entry.keyword.name {
+        "NODE OUTPUT" => &["NSET"],
+        "ELEMENT OUTPUT" => &["ELSET"],
+        _ => &["MAIN", "SECONDARY"],
+    };
+    let others = ["NSET", "ELSET", "MAIN", "SECONDARY"].into_iter().filter(|name| !own.contains(name));
+    for other in others.filter_map(|name| entry.parameter(name)) {
+        let title = format!("`{}` says nothing of a history by `*{}`", other.name, entry.keyword.name);
+        let fault = Diagnostic::error(other.span, title);
+        diagnostics.push(fault.help(format!("name what is meant by {}", crate::diagnostic::listed(own))));
+    }
 }
 
 /// Histories of nodes or elements.

@@ -28,6 +28,8 @@ pub struct Requests {
     /// True when the fields are not the usual ones.
     chosen: bool,
     frames: Option<Frames>,
+    /// True when increments end at the times of frames.
+    on_marks: bool,
     turn: usize,
     /// Kinds of cards seen in this step.
     seen: Vec<&'static str>,
@@ -98,12 +100,16 @@ impl Requests {
             self.fields.clear();
             self.chosen = false;
             self.frames = None;
+            self.on_marks = false;
         }
         self.common(entry, KINDS, scene.analysis);
         if scene.analysis == Analysis::Static {
             only_for(entry, &["NUMBER INTERVAL", "TIME INTERVAL"], Analysis::Explicit, diagnostics);
         }
         self.frames = intervals(entry, diagnostics).or(self.frames);
+        self.on_marks |= entry.says("TIME MARKS", "YES");
+        let usual = usual(scene.analysis);
+        without_marks(entry, self.frames.unwrap_or(usual), diagnostics);
         self.preselected = entry.has("VARIABLE");
     }
 
@@ -157,8 +163,23 @@ impl Requests {
         let tables = tables.into_iter().map(|(_, table)| table).collect();
         let fields =
             self.chosen.then(|| KINDS.iter().filter_map(|kind| self.fields.get(kind)).flatten().cloned().collect());
-        let usual = if analysis == Analysis::Explicit { Frames::EXPLICIT } else { Frames::Increments(1) };
-        Output { tables, fields, frames: self.frames.unwrap_or(usual), histories: self.histories.in_force(analysis) }
+        let frames = self.frames.unwrap_or(usual(analysis));
+        let marks = self.histories.marks().iter().chain(self.on_marks.then_some(&frames)).copied().collect();
+        Output { tables, fields, frames, marks, histories: self.histories.in_force(analysis) }
+    }
+}
+
+/// Frames unless the deck says otherwise.
+fn usual(analysis: Analysis) -> Frames {
+    if analysis == Analysis::Explicit { Frames::EXPLICIT } else { Frames::Increments(1) }
+}
+
+/// Remarks on `TIME MARKS=YES` where increments are counted.
+pub fn without_marks(entry: &Entry<'_>, when: Frames, diagnostics: &mut Diagnostics) {
+    let given = entry.parameter("TIME MARKS").filter(|_| entry.says("TIME MARKS", "YES"));
+    if let (Some(given), Frames::Increments(_)) = (given, when) {
+        let note = Diagnostic::note(given.span, "`TIME MARKS=YES` of `*OUTPUT` has no effect");
+        diagnostics.push(note.label("of use with NUMBER INTERVAL and TIME INTERVAL; here increments are counted"));
     }
 }
 

@@ -27,8 +27,10 @@ pub struct Balance {
     pub work: f64,
     /// What there was at the start: of initial velocities.
     pub initial: f64,
-    /// Largest sum of energies so far.
+    /// Largest energy so far.
     pub largest: f64,
+    /// Largest so far of what there was, came from outside, or was given by contact that began overclosed.
+    pub given: f64,
     /// DMASS: what mass scaling has added [%].
     pub added_mass: f64,
 }
@@ -50,6 +52,13 @@ impl Balance {
 
     fn sum(&self) -> f64 {
         self.conserved + self.internal() + self.viscous + self.friction + self.contact
+    }
+
+    /// What is in motion and in springs, over the most that was given [-]. A mode at x = ωΔt/2 has up to 1/(1 − x²) times what it
+    /// was given: 25 at 0.98, 500 at 0.999.
+    pub fn swell(&self) -> f64 {
+        let energy = self.kinetic + self.strain;
+        if energy == 0.0 { 0.0 } else { energy / self.given }
     }
 
     /// Its size over the largest energy so far [-].
@@ -74,6 +83,7 @@ impl Balance {
 pub struct Energies {
     initial: Option<f64>,
     largest: f64,
+    given: f64,
 }
 
 impl Energies {
@@ -97,9 +107,10 @@ impl Energies {
             ..Balance::default()
         };
         let sum = balance.sum();
-        self.largest = self.largest.max(sum.abs());
         balance.initial = *self.initial.get_or_insert(sum);
-        balance.largest = self.largest;
+        self.largest = self.largest.max(sum.abs()).max(balance.kinetic + balance.internal());
+        self.given = self.given.max((balance.initial + balance.work).abs()).max(-contact);
+        (balance.largest, balance.given) = (self.largest, self.given);
         balance
     }
 }

@@ -14,7 +14,7 @@ use fe_io::model::Step;
 pub fn plan(scene: &Scene, step: &Step, prescribed: usize, procedure: &CentralDifference) -> Plan {
     let structure = &scene.structure;
     let unknowns = scene.freedoms.len() - prescribed;
-    let step_contact = &step.general_contact;
+    let (step_contact, marks) = (&step.general_contact, &step.output.marks);
     let step = explicit(step).expect("the step is explicit");
     let mut needs = vec![("procedure".to_owned(), in_words(&step))];
     for section in &structure.sections {
@@ -52,6 +52,12 @@ pub fn plan(scene: &Scene, step: &Step, prescribed: usize, procedure: &CentralDi
             "mass scaling".into(),
             format!("{count} elements, by up to {largest}: all mass changes by {added} %"),
         ));
+    }
+    for interval in marks.iter().filter_map(|marks| marks.interval(step.period)) {
+        needs.push(("time marks".into(), format!("increments end every {} of step time", scientific(interval, 6))));
+    }
+    if let faces @ 1.. = scene.loads.pressed() {
+        needs.push(("pressures".into(), format!("on {faces} faces, which they follow")));
     }
     let advance = procedure.stable();
     let fastest = of_element(structure, &advance);

@@ -97,8 +97,8 @@ impl Scene {
 
     /// Enters a step whose loads are in `course`.
     pub fn enter(&mut self, model: &Model, step: &Step, course: &Course) -> Result<(), JobFailure> {
-        let external = course
-            .external(&self.structure, &self.freedoms)
+        let loads = course
+            .following(&self.structure, &self.freedoms)
             .map_err(|error| JobFailure::Deck(format!("{}:{}: {error}", step.place.file, step.place.line)))?;
         let Explicit { increment, bulk_viscosity: viscosity, .. } = explicit(step).expect("all steps are explicit");
         if let Some(solids) = &mut self.solids {
@@ -108,7 +108,7 @@ impl Scene {
         self.lines.iter_mut().for_each(|lines| lines.damp(viscosity[0]));
         self.solids.iter_mut().for_each(|solids| solids.measure(mass_scaling::aims(step)));
         let worked = self.loads.stored();
-        self.loads = Loads::new(external, step.procedure.period()).after(worked);
+        self.loads = loads.after(worked);
         // What acts as before goes on with its state.
         let mut before = std::mem::take(&mut self.pairs);
         for active in &step.explicit_pairs {

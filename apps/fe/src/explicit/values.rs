@@ -5,6 +5,7 @@ use super::scene::Scene;
 use crate::contact_fields::{self, Shown};
 use crate::fields::mises;
 use crate::printed;
+use fe_contact::explicit::RigidFollower;
 use fe_core::explicit::central_difference::{CentralDifference, State};
 use fe_core::explicit::solid::PointState;
 use fe_io::Model;
@@ -12,6 +13,7 @@ use fe_io::model::{HistoryOfSet, Quantity, Table};
 use fe_io::results::table::{ElementRow, Tables};
 use fe_io::results::{FieldInfo, ResultsError};
 use std::cell::OnceCell;
+use std::collections::BTreeMap;
 
 /// A moment of a job.
 #[derive(Clone, Copy)]
@@ -32,6 +34,8 @@ pub struct Moment<'a> {
 pub struct Values<'a> {
     at: Moment<'a>,
     velocity: OnceCell<Vec<f64>>,
+    /// Nodes that follow rigid bodies, with the place of theirs in the scene.
+    following: OnceCell<BTreeMap<u32, usize>>,
     states: OnceCell<Vec<PointState>>,
     contacts: OnceCell<Vec<ActingContact<'a>>>,
 }
@@ -39,7 +43,8 @@ pub struct Values<'a> {
 impl<'a> Values<'a> {
     /// At a moment.
     pub fn at(at: Moment<'a>) -> Self {
-        Values { at, velocity: OnceCell::new(), states: OnceCell::new(), contacts: OnceCell::new() }
+        let (velocity, following) = (OnceCell::new(), OnceCell::new());
+        Values { at, velocity, following, states: OnceCell::new(), contacts: OnceCell::new() }
     }
 
     /// States of the solids, cells ascending.
@@ -71,12 +76,32 @@ impl<'a> Values<'a> {
         }
     }
 
-    /// U, V or RF of a node.
+    /// Velocities at the end of the increment.
+    fn velocity(&self) -> &[f64] {
+        self.velocity.get_or_init(|| self.at.procedure.velocity(self.at.state))
+    }
+
+    /// The rigid body that a node follows.
+    fn followed(&self, node: u32) -> Option<&RigidFollower> {
+        let bodies = &self.at.scene.followers;
+        let of = |(body, follower): (usize, &RigidFollower)| {
+            let others = follower.nodes.iter().filter(|&&node| node != follower.reference);
+            others.map(|&node| (node, body)).collect::<Vec<_>>()
+        };
+        let following = self.following.get_or_init(|| bodies.iter().enumerate().flat_map(of).collect());
+        following.get(&node).map(|&body| &bodies[body])
+    }
+
+    /// U, V or RF of a node; what follows a rigid body has no forces of its own.
     fn vector(&self, node: u32, name: &str) -> [f64; 3] {
-        let Moment { scene, state, procedure, fixed, .. } = self.at;
+        let Moment { scene, state, fixed, .. } = self.at;
+        if let Some(body) = self.followed(node).filter(|_| name != "RF") {
+            let [u, v] = body.carried(node, (&scene.structure, &scene.freedoms), [&state.u, self.velocity()]);
+            return if name == "U" { u } else { v };
+        }
         let of = |f: usize| match name {
             "U" => state.u[f],
-            "V" => self.velocity.get_or_init(|| procedure.velocity(state))[f],
+            "V" => self.velocity()[f],
             _ if fixed[f] => -state.force[f],
             _ => 0.0,
         };

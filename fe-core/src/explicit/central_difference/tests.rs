@@ -64,6 +64,30 @@ fn b13_oscillator() {
     assert!((state.u[0] - exact).abs() < 1e-10, "{} {exact}", state.u[0]);
 }
 
+/// What is conserved is so, too, where increments change at will, one of no length before the first included: a mass on a spring,
+/// pushed by what it hangs on, at increments of up to 0.98 of the stable one.
+#[test]
+fn increments_of_any_length_conserve_energy() {
+    let (structure, freedoms) = oscillator(4.0, 1.0);
+    let mut state = State::rest(&freedoms);
+    (state.u[0], state.v[0]) = (0.3, 3.0);
+    let mut lines = Lines::new(&structure, &freedoms, 0.0);
+    let supports = (1..freedoms.len()).map(hold).collect();
+    let mut procedure = begin(&mut lines, supports, &mut state);
+    let energy = |p: &CentralDifference, state: &State, lines: &Lines| p.conserved(state) + lines.stored();
+    let start = energy(&procedure, &state, &lines);
+    let mut largest = 0.0f64;
+    for i in 0..1000 {
+        let dt = 0.98 * (0.6 + 0.4 * ((i * i) as f64).cos().abs());
+        procedure.advance(&mut [&mut lines], &mut state, dt).unwrap();
+        largest = largest.max(state.fed.abs()).max(procedure.kinetic(&state));
+        let drift = energy(&procedure, &state, &lines) - start;
+        // Rounding of sums of this size, an increment each.
+        assert!(drift.abs() <= 1e-16 * f64::from(i + 1) * largest.max(start) * 4.0, "{i}: {drift} of {largest}");
+    }
+    assert!(state.fed.abs() > 0.1 * start, "{}", state.fed);
+}
+
 /// A chain of trusses, n of length 1, held at nothing.
 fn chain(n: usize, (young, density): (f64, f64)) -> (Structure, Freedoms) {
     let points = (0..=n).map(|i| [i as f64, 0.0, 0.0]).collect();
