@@ -1,55 +1,17 @@
 //! Two-node elements that act along their line or along fixed freedoms: trusses, springs, dashpots; beams; and
 //! masses and rotary inertias of nodes.
 
+mod element;
+
 use super::beam::Beams;
 use super::mass_scaling::raised;
 use super::rotation::Rotary;
 use super::{Advance, ExplicitTerm, Halt, Moving};
 use crate::element::{ElementType, Family};
 use crate::freedoms::Freedoms;
-use crate::material::Damping;
 use crate::structure::Structure;
+use element::{Answer, Answered, Element, Reach};
 use fe_mesh::CellId;
-
-/// How an element answers its length.
-#[derive(Clone, Copy, Debug, PartialEq)]
-enum Answer {
-    /// E A₀ [F] of a truss: N = E A₀ ln λ/λ, as the volume stays (Abaqus Theory Manual, Truss elements).
-    Truss(f64),
-    /// k [F/L].
-    Spring(f64),
-    /// c [F T/L].
-    Dashpot(f64),
-}
-
-/// Where an element acts.
-#[derive(Clone, Debug, PartialEq)]
-enum Reach {
-    /// Between two nodes, along their line: first freedoms, how many each has, and the line at the start [L].
-    Line { ends: [usize; 2], directions: usize, line: [f64; 3] },
-    /// On the difference of freedoms; the second may be missing.
-    Fixed { first: usize, second: Option<usize> },
-}
-
-#[derive(Clone, Debug, PartialEq)]
-struct Element {
-    cell: CellId,
-    answer: Answer,
-    reach: Reach,
-    /// Length at the start [L]; 1 where it acts on fixed freedoms.
-    length: f64,
-    /// Half of its mass [M], and the factor on it.
-    mass: f64,
-    factor: f64,
-    /// Stable increment [T] by itself, without the factor.
-    stable: f64,
-    /// Damping of its material.
-    damping: Damping,
-    /// Length or elongation [L] at the end of the last increment.
-    now: f64,
-    /// Force [F] of dashpot, bulk viscosity or damping by stiffness then.
-    viscous: f64,
-}
 
 /// All trusses, beams, springs, dashpots, masses and rotary inertias of a scene.
 #[derive(Clone, Debug)]
@@ -71,87 +33,73 @@ pub struct Lines {
 impl Lines {
     /// Those of a structure; `viscosity` is the linear bulk viscosity [-].
     pub fn new(structure: &Structure, freedoms: &Freedoms, viscosity: f64) -> Self {
-        let mesh = &structure.mesh;
-        let dimension = structure.dimension();
-        let (mut elements, mut masses) = (Vec::new(), Vec::new());
-        let line = |cell: CellId| {
-            let nodes = mesh.cell(cell);
-            let [a, b] = [0, 1].map(|i| mesh.points[nodes[i] as usize]);
-            let ends = [0, 1].map(|i| freedoms.of_node(nodes[i] as usize).start);
-            let line: [f64; 3] = std::array::from_fn(|c| b[c] - a[c]);
-            (Reach::Line { ends, directions: dimension, line }, norm(line))
+        let mut lines = Lines {
+            elements: Vec::new(),
+            beams: Beams::new(structure, freedoms),
+            masses: Vec::new(),
+            rotary: Vec::new(),
+            viscosity,
+            rates: [0.0; 2],
+            stored: 0.0,
+            dissipated: 0.0,
         };
+        lines.add_trusses(structure, freedoms);
+        lines.add_discrete(structure, freedoms);
+        lines.add_rotary(structure, freedoms);
+        lines
+    }
+
+    fn add_trusses(&mut self, structure: &Structure, freedoms: &Freedoms) {
         for section in structure.lines.iter().filter(|s| s.element.family() == Family::Truss) {
             let (area, density) = (section.profile.area, section.density.unwrap_or(0.0));
             for &cell in &section.cells {
-                let (reach, length) = line(cell);
-                let (answer, mass) = (Answer::Truss(section.young * area), 0.5 * density * area * length);
-                let damping = section.damping;
-                elements.push(Element {
-                    cell,
-                    answer,
-                    reach,
-                    length,
-                    mass,
-                    factor: 1.0,
-                    stable: f64::INFINITY,
-                    damping,
-                    now: length,
-                    viscous: 0.0,
-                });
+                let bare = Element::along((structure, freedoms), cell, Answer::Truss(section.young * area));
+                let mass = 0.5 * density * area * bare.length;
+                self.elements.push(Element { mass, damping: section.damping, ..bare });
             }
         }
+    }
+
+    /// Springs, dashpots and masses.
+    fn add_discrete(&mut self, structure: &Structure, freedoms: &Freedoms) {
+        use ElementType::*;
         for section in &structure.discrete {
-            use ElementType::*;
+            let answer = match section.element.family() {
+                Family::Spring => Answer::Spring(section.magnitude),
+                _ => Answer::Dashpot(section.magnitude),
+            };
             for &cell in &section.cells {
-                let nodes = mesh.cell(cell);
+                let nodes = structure.mesh.cell(cell);
                 let freedom = |i: usize| freedoms.index(nodes[i] as usize, section.components[i].into());
-                let (reach, length) = match section.element {
+                let second = match section.element {
                     MASS => {
-                        let places = freedoms.of_node(nodes[0] as usize).take(dimension);
-                        masses.extend(places.map(|f| (f, section.magnitude)));
+                        let places = freedoms.of_node(nodes[0] as usize).take(structure.dimension());
+                        self.masses.extend(places.map(|f| (f, section.magnitude)));
                         continue;
                     }
-                    SPRING1 | DASHPOT1 => (freedom(0).map(|first| Reach::Fixed { first, second: None }), 1.0),
-                    SPRING2 | DASHPOT2 => (freedom(0).map(|first| Reach::Fixed { first, second: freedom(1) }), 1.0),
+                    SPRING1 | DASHPOT1 => None,
+                    SPRING2 | DASHPOT2 => freedom(1),
                     _ => {
-                        let (reach, length) = line(cell);
-                        (Some(reach), length)
+                        self.elements.push(Element::along((structure, freedoms), cell, answer));
+                        continue;
                     }
                 };
-                let Some(reach) = reach else { continue };
-                let answer = match section.element.family() {
-                    Family::Spring => Answer::Spring(section.magnitude),
-                    _ => Answer::Dashpot(section.magnitude),
-                };
-                let now = if matches!(reach, Reach::Line { .. }) { length } else { 0.0 };
-                let damping = Damping::default();
-                elements.push(Element {
-                    cell,
-                    answer,
-                    reach,
-                    length,
-                    mass: 0.0,
-                    factor: 1.0,
-                    stable: f64::INFINITY,
-                    damping,
-                    now,
-                    viscous: 0.0,
-                });
+                let fixed = |first| Element::new(cell, answer, (Reach::Fixed { first, second }, 1.0));
+                self.elements.extend(freedom(0).map(fixed));
             }
         }
-        let mut rotary = Vec::new();
+    }
+
+    fn add_rotary(&mut self, structure: &Structure, freedoms: &Freedoms) {
         for section in &structure.rotary {
             for &cell in &section.cells {
-                let node = mesh.cell(cell)[0] as usize;
+                let node = structure.mesh.cell(cell)[0] as usize;
                 match freedoms.index(node, 3) {
-                    Some(first) => rotary.push((first, section.tensor())),
-                    None => masses.extend(freedoms.index(node, 5).map(|f| (f, section.moments[2]))),
+                    Some(first) => self.rotary.push((first, section.tensor())),
+                    None => self.masses.extend(freedoms.index(node, 5).map(|f| (f, section.moments[2]))),
                 }
             }
         }
-        let beams = Beams::new(structure, freedoms);
-        Lines { elements, beams, masses, rotary, viscosity, rates: [0.0; 2], stored: 0.0, dissipated: 0.0 }
     }
 
     /// From now on with another linear bulk viscosity [-].
@@ -189,29 +137,6 @@ impl Lines {
     /// True where there are none.
     pub fn is_empty(&self) -> bool {
         self.elements.is_empty() && self.beams.is_empty() && self.masses.is_empty() && self.rotary.is_empty()
-    }
-}
-
-impl Element {
-    /// Freedoms it acts on.
-    fn freedoms(&self) -> impl Iterator<Item = usize> + '_ {
-        let (ranges, second) = match &self.reach {
-            Reach::Line { ends, directions, .. } => (ends.map(|end| end..end + directions), None),
-            Reach::Fixed { first, second } => ([*first..first + 1, 0..0], *second),
-        };
-        ranges.into_iter().flatten().chain(second)
-    }
-
-    /// Length or elongation [L] at a displacement.
-    fn length(&self, u: &[f64]) -> ([f64; 3], f64) {
-        match &self.reach {
-            Reach::Line { ends: [a, b], directions, line } => {
-                let mut now = *line;
-                (0..*directions).for_each(|c| now[c] += u[b + c] - u[a + c]);
-                (now, norm(now))
-            }
-            Reach::Fixed { first, second } => ([0.0; 3], u[*first] - second.map_or(0.0, |second| u[second])),
-        }
     }
 }
 
@@ -260,31 +185,11 @@ impl ExplicitTerm for Lines {
                 return Err(Halt::Inverted { cell: element.cell });
             }
             let rate = if at.dt > 0.0 { (now - before) / at.dt } else { 0.0 };
-            let l0 = element.length;
-            let (elastic, stored, viscous) = match element.answer {
-                Answer::Truss(ea) => {
-                    let of = |l: f64| (l / l0).ln();
-                    let free = now * (2.0 * element.mass / (ea * l0)).sqrt();
-                    let beta = element.damping.beta;
-                    // Of critical: bulk viscosity, and ½ β ω.
-                    let xi = self.viscosity + beta / free;
-                    element.stable = free * ((1.0 + xi * xi).sqrt() - xi);
-                    let stable = raised(element.stable, element.factor, self.viscosity);
-                    if stable < advance.stable {
-                        (advance.stable, advance.element) = (stable, Some(element.cell));
-                    }
-                    // Bulk viscosity b ρ c A l̇, and β E A l̇/l.
-                    let coefficient =
-                        self.viscosity * (2.0 * element.mass * ea / l0).sqrt() + beta * ea * l0 / (now * now);
-                    let energy = 0.5 * ea * l0 * (of(now).powi(2) - of(before).powi(2));
-                    (ea * l0 / now * of(now), energy, coefficient * rate)
-                }
-                Answer::Spring(k) => {
-                    let rest = if matches!(element.reach, Reach::Line { .. }) { l0 } else { 0.0 };
-                    (k * (now - rest), 0.5 * k * (now - before) * (now + before - 2.0 * rest), 0.0)
-                }
-                Answer::Dashpot(c) => (0.0, 0.0, c * rate),
-            };
+            let Answered { elastic, stored, viscous } = element.answer(now, rate, self.viscosity);
+            let stable = raised(element.stable, element.factor, self.viscosity);
+            if stable < advance.stable {
+                (advance.stable, advance.element) = (stable, Some(element.cell));
+            }
             let force = elastic + viscous;
             self.stored += stored;
             // What central differences lose to a force is half of it before and half of it now, times the way.
@@ -311,15 +216,4 @@ impl ExplicitTerm for Lines {
     fn stored(&self) -> f64 {
         self.energies().into_iter().sum()
     }
-}
-
-impl Element {
-    /// True where its ends meet, and it has no direction.
-    fn answer_is_lost(&self, now: f64) -> bool {
-        matches!(self.reach, Reach::Line { .. }) && (now <= 0.0 || now.is_nan())
-    }
-}
-
-fn norm(v: [f64; 3]) -> f64 {
-    v.iter().map(|x| x * x).sum::<f64>().sqrt()
 }
