@@ -21,9 +21,7 @@ pub fn compare(problem: &dyn Problem, options: &Options, out: &mut dyn Write) ->
     writeln!(out, "{}: {}", problem.name(), problem.about())?;
     writeln!(
         out,
-        "{}; commit {}; {}; the same deck, in turn; {} thread(s) each; medians of {} runs\n",
-        origin.machine,
-        origin.commit,
+        "{origin}; {}; the same deck, in turn; {} thread(s) each; medians of {} runs\n",
         versions.join(", "),
         options.threads,
         options.runs

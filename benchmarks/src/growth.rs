@@ -38,7 +38,7 @@ pub fn study(options: &Options, out: &mut dyn Write) -> Result<(), Box<dyn Error
     let origin = Origin::here();
     let (threads, runs) = (options.threads, options.runs);
     writeln!(out, "growth: {}", Cantilever.about())?;
-    writeln!(out, "{}; commit {}; {threads} thread(s); medians of {runs} runs\n", origin.machine, origin.commit)?;
+    writeln!(out, "{origin}; {threads} thread(s); medians of {runs} runs\n")?;
     write!(out, "{:<8}{:>4}{:>10}", "element", "n", "unknowns")?;
     MEASURED.iter().try_for_each(|name| write!(out, "{name:>10}"))?;
     writeln!(out)?;

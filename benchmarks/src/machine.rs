@@ -1,5 +1,6 @@
 //! Where and with what a figure was measured.
 
+use std::fmt;
 use std::process::Command;
 
 /// Machine, version and commit: what stands beside every figure.
@@ -23,6 +24,18 @@ impl Origin {
         let machine = format!("{model}, {cores} cores");
         Origin { machine, version: format!("signorini {}", env!("CARGO_PKG_VERSION")), commit: commit() }
     }
+}
+
+/// Machine and commit, as tables begin.
+impl fmt::Display for Origin {
+    fn fmt(&self, out: &mut fmt::Formatter) -> fmt::Result {
+        write!(out, "{}; commit {}", self.machine, self.commit)
+    }
+}
+
+/// The Python that has gmsh: that of `SIGNORINI_PYTHON`, or `python3`.
+pub fn python() -> String {
+    std::env::var("SIGNORINI_PYTHON").unwrap_or_else(|_| "python3".into())
 }
 
 fn commit() -> String {

@@ -1,6 +1,6 @@
 //! The program: measures problems with known answers.
 
-use benchmarks::explicit::{self, general, impacts};
+use benchmarks::explicit::{self, general, impacts, poured};
 use benchmarks::study::Options;
 use benchmarks::{card, compare, growth, hard, measure, problems, reading, study};
 use clap::{Parser, Subcommand};
@@ -91,6 +91,8 @@ enum Command {
         #[arg(long, default_value_t = 1)]
         threads: usize,
     },
+    /// The poured balls of the examples: time an element and increment, and the share of general contact in it.
+    Poured(poured::Options),
     /// Run a deck and print its seconds by phase.
     #[command(hide = true, name = growth::PHASES)]
     Phases {
@@ -173,6 +175,7 @@ fn execute(command: Command) -> Result<ExitCode, Box<dyn Error>> {
         Command::Explicit { settings } => explicit::study(&settings.options(), out)?,
         Command::General { threads } => general::study(threads, out)?,
         Command::Impacts { threads } => impacts::study(threads, out)?,
+        Command::Poured(options) => poured::study(&options, out)?,
         Command::Phases { deck, threads } => growth::phases(&deck, threads, out)?,
         Command::Fe { arguments } => {
             return Ok(fe::main_with(fe::standard(), std::iter::once("fe".into()).chain(arguments)));

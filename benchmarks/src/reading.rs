@@ -1,7 +1,7 @@
 //! How fast a gmsh file of a million nodes and hexahedra is read: its bytes parsed, and from disk to a mesh; gmsh's own
 //! reader beside it, in turn, where it is installed.
 
-use crate::machine::Origin;
+use crate::machine::{self, Origin};
 use crate::measure;
 use crate::rows::{median, quantile};
 use fe_mesh::CellKind;
@@ -67,7 +67,7 @@ pub fn study(options: &Options, out: &mut dyn Write) -> Result<(), Box<dyn Error
     let mesh = Block::hex8([options.edge; 3]).mapped(map);
     let counts = [mesh.points.len(), mesh.cell_count()];
     writeln!(out, "reading: gmsh 4.1, {} nodes, {} hexahedra", counts[0], counts[1])?;
-    writeln!(out, "{}; commit {}; one thread; medians of {} readings", origin.machine, origin.commit, options.runs)?;
+    writeln!(out, "{origin}; one thread; medians of {} readings", options.runs)?;
     if peer.is_none() {
         writeln!(
             out,
@@ -200,7 +200,7 @@ impl Peer {
             let text = [output.stdout, output.stderr].concat();
             output.status.success().then(|| String::from_utf8_lossy(&text).trim().to_string())
         };
-        let python = std::env::var("SIGNORINI_PYTHON").unwrap_or_else(|_| "python3".into());
+        let python = machine::python();
         if let Some(version) = output(&python, &[&script()]) {
             return Some(Peer { version: format!("gmsh {version}"), how: How::Module(python) });
         }

@@ -80,11 +80,7 @@ pub fn study(problem: &dyn Problem, options: &Options, out: &mut dyn Write) -> R
     let solver = Solver::own(&origin.version)?;
     let folder = options.work.join(problem.name());
     writeln!(out, "{}: {}", problem.name(), problem.about())?;
-    writeln!(
-        out,
-        "{}; commit {}; {} threads; medians of {} runs\n",
-        origin.machine, origin.commit, options.threads, options.runs
-    )?;
+    writeln!(out, "{origin}; {} threads; medians of {} runs\n", options.threads, options.runs)?;
     write!(out, "{:<30}{:>6}{:>10}", "curve", "n", "unknowns")?;
     problem.norms().iter().try_for_each(|norm| write!(out, "{:>w$}", norm.name, w = width(norm)))?;
     writeln!(out, "{:>10}{:>10}{:>9}", "wall s", "cpu s", "MB")?;

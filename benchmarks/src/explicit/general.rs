@@ -41,10 +41,9 @@ struct Row {
 
 /// Prints seconds and shares of all rows, and the exponents of growth.
 pub fn study(threads: usize, out: &mut dyn Write) -> Result<(), Box<dyn Error>> {
-    let origin = Origin::here();
     let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build()?;
     writeln!(out, "general contact: cubes of {EDGE} × {EDGE} × {EDGE} C3D8R that hit each other, 300 increments")?;
-    writeln!(out, "{}; commit {}; {threads} thread(s)\n", origin.machine, origin.commit)?;
+    writeln!(out, "{}; {threads} thread(s)\n", Origin::here())?;
     let titles = ["facets", "elements", "closed", "searches", "ms/inc", "contact", "search", "ns/facet"];
     titles.iter().try_for_each(|title| write!(out, "{title:>10}"))?;
     writeln!(out)?;

@@ -265,10 +265,9 @@ impl Scene {
 
 /// Prints all impacts.
 pub fn study(threads: usize, out: &mut dyn Write) -> Result<(), Box<dyn Error>> {
-    let origin = Origin::here();
     let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build()?;
     writeln!(out, "impacts, C3D8R, no bulk viscosity, increments of 0.9 of the stable one; hard contact")?;
-    writeln!(out, "{}; commit {}; {threads} thread(s)\n", origin.machine, origin.commit)?;
+    writeln!(out, "{}; {threads} thread(s)\n", Origin::here())?;
     writeln!(
         out,
         "{:24} {:12} {:>12} {:>10} {:>10} {:>10} {:>10} {:>9}",

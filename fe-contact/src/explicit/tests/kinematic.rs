@@ -166,23 +166,35 @@ fn b04_mass_on_law() {
     assert!((most / (v * (k * m).sqrt()) / fall(0.5 * steps as f64) - 1.0).abs() < 0.6 * angle, "{most}");
 }
 
+/// Mass, weight and friction of a block on the floor.
+const BLOCK: (f64, f64, f64) = (2.0, 30.0, 0.25);
+
+/// The block, node 0 on a floor with reference node 1, after so many increments of length dt with a push along x.
+fn pushed(push: f64, (dt, steps): (f64, usize), shear_slope: Option<f64>) -> Scene {
+    let (m, weight, mu) = BLOCK;
+    let structure = masses(&[([0.0; 3], m), ([0.0, 0.0, -1.0], 0.0)]);
+    let mut definition = hard(&[0], floor(1), Enforcement::Kinematic(1.0));
+    let limit = Some((Coefficient::Constant(mu), None));
+    definition.behaviour.friction = Some(Coulomb { limit, spring: Spring::Stiffness(1.0) });
+    definition.behaviour.shear_slope = shear_slope;
+    let mut scene = Scene::new(&structure, definition, &[1], &[]);
+    let (x, z) = (scene.at(0, 0), scene.at(0, 2));
+    for _ in 0..steps {
+        scene.state.force[x] += push;
+        scene.state.force[z] -= weight;
+        scene.advance(dt);
+    }
+    scene
+}
+
 /// A block under its weight is held at once, without a spring, below μ N, and slides with the rest above.
 #[test]
 fn friction_holds_or_slides() {
-    let (m, weight, mu, dt, steps) = (2.0, 30.0, 0.25, 1e-3, 1000);
+    let ((m, weight, mu), dt, steps) = (BLOCK, 1e-3, 1000);
     for push in [3.0, 12.0] {
-        let structure = masses(&[([0.0; 3], m), ([0.0, 0.0, -1.0], 0.0)]);
-        let friction = Some(Coulomb { limit: Some((Coefficient::Constant(mu), None)), spring: Spring::Stiffness(1.0) });
-        let mut definition = hard(&[0], floor(1), Enforcement::Kinematic(1.0));
-        definition.behaviour.friction = friction;
-        let mut scene = Scene::new(&structure, definition, &[1], &[]);
+        let scene = pushed(push, (dt, steps), None);
         let (x, z) = (scene.at(0, 0), scene.at(0, 2));
-        for _ in 0..steps {
-            scene.state.force[x] += push;
-            scene.state.force[z] -= weight;
-            scene.advance(dt);
-        }
-        let limit: f64 = mu * weight;
+        let limit = mu * weight;
         let rest = (push - limit).max(0.0) / m;
         // u(n) = a Δt² n²/2 with a first half step.
         let way = 0.5 * rest * (dt * steps as f64).powi(2);
@@ -275,31 +287,20 @@ fn no_separation_holds() {
     }
 }
 
-/// A block on springs of a given slope comes to rest at F/K, slipping where that is more than μ N.
+/// The block on springs of a given slope comes to rest at F/K, slipping where that is more than μ N.
 #[test]
 fn friction_on_springs() {
-    let (m, weight, mu, slope, dt) = (2.0, 30.0, 0.25, 800.0, 1e-2);
+    let ((_, weight, mu), slope) = (BLOCK, 800.0);
     for (push, steps) in [(3.0, 2000), (12.0, 200)] {
-        let structure = masses(&[([0.0; 3], m), ([0.0, 0.0, -1.0], 0.0)]);
-        let mut definition = hard(&[0], floor(1), Enforcement::Kinematic(1.0));
-        let limit = Some((Coefficient::Constant(mu), None));
-        definition.behaviour.friction = Some(Coulomb { limit, spring: Spring::Stiffness(1.0) });
-        definition.behaviour.shear_slope = Some(slope);
-        let mut scene = Scene::new(&structure, definition, &[1], &[]);
-        let (x, z) = (scene.at(0, 0), scene.at(0, 2));
-        for _ in 0..steps {
-            scene.state.force[x] += push;
-            scene.state.force[z] -= weight;
-            scene.advance(dt);
-        }
-        let limit: f64 = mu * weight;
+        let scene = pushed(push, (1e-2, steps), Some(slope));
+        let (way, limit) = (scene.state.u[scene.at(0, 0)], mu * weight);
         let shear = scene.state.force[scene.at(1, 0)];
         if push < limit {
-            assert!((scene.state.u[x] - push / slope).abs() < 1e-12 && (shear - push).abs() < 1e-10);
+            assert!((way - push / slope).abs() < 1e-12 && (shear - push).abs() < 1e-10);
             assert!(scene.pair.rubbed().abs() < 1e-12);
         } else {
             assert!((shear - limit).abs() < 1e-10);
-            let heat = limit * (scene.state.u[x] - limit / slope);
+            let heat = limit * (way - limit / slope);
             // The increment in which it begins to slip.
             assert!((scene.pair.rubbed() / heat - 1.0).abs() < 1e-5, "{} {heat}", scene.pair.rubbed());
         }
