@@ -27,6 +27,21 @@ pub struct PointState {
     pub measure: Measure,
 }
 
+impl PointState {
+    /// With all of the normal force [F] on its node over the node's area [L²], where the other side of a contact presses there, too;
+    /// what it has along the surface grows with it. Points that have no area, or pull, stay as they are.
+    pub fn pressed_by(self, force: f64, area: f64) -> Self {
+        if !matches!(self.measure, Measure::Area(_)) || area <= 0.0 || self.pressure < 0.0 {
+            return self;
+        }
+        let pressure = force / area;
+        let grown = if self.pressure > 0.0 { pressure / self.pressure } else { 0.0 };
+        let is_touched = self.status == ContactStatus::Open && pressure > 0.0;
+        let status = if is_touched { ContactStatus::Closed } else { self.status };
+        PointState { pressure, status, shear: self.shear.map(|shear| shear * grown), ..self }
+    }
+}
+
 /// Force on one side and what it adds up to.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct SideForce {

@@ -202,3 +202,16 @@ fn b18_press_fit() {
         }
     }
 }
+
+/// Springs of balanced hard contact are as stiff as each side is heavy: steel pushes three times as hard as aluminium with the
+/// same overclosure, but what a face tells is all that presses on it. Both faces have the same force; their areas at the start
+/// differ by δ/b, and what swings is that of [`b18_press_fit`].
+#[test]
+fn faces_of_unlike_bodies_tell_the_same_pressure() {
+    let deck = fitted(overlapping(), 4, "");
+    let pair = "*CONTACT PAIR, INTERACTION=I";
+    let job = Job::run("press_fit_penalty", &deck.replace(pair, &format!("{pair}, MECHANICAL CONSTRAINT=PENALTY")));
+    let found: Vec<f64> = job.tables().last().unwrap().rows.iter().map(|row| row.values[0]).collect();
+    let (least, most) = found.iter().fold((f64::INFINITY, 0.0f64), |(l, m), p| (l.min(*p), m.max(*p)));
+    assert!(found.len() == 4 && most / least - 1.0 <= INTERFERENCE / 40.0 + 0.0008, "{found:?}");
+}

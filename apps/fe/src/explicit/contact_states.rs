@@ -2,8 +2,9 @@
 
 use super::contact::weight;
 use super::scene::Scene;
-use fe_contact::explicit::PairSides;
-use fe_contact::state::{ContactState, NodeValues};
+use fe_contact::explicit::{ContactPair, PairSides};
+use fe_contact::facet::Vec3;
+use fe_contact::state::{ContactState, NodeValues, SideForce};
 use fe_io::Model;
 use fe_io::model::ActivePair;
 
@@ -21,15 +22,25 @@ pub struct ActingContact<'a> {
 pub fn contacts<'a>(model: &'a Model, scene: &'a Scene) -> Vec<ActingContact<'a>> {
     let of = |(active, sides): &'a (ActivePair, PairSides)| {
         let pair = &model.explicit_pairs[active.pair].0;
-        let (mut state, mut nodes) = (ContactState::default(), Vec::new());
         let exchanged = weight(&scene.structure, pair);
-        for part in &sides.pairs {
-            let own = part.state();
-            let is_first = part.label() == label((&pair.secondary_name, &pair.main_name));
-            let share = if is_first { 1.0 - exchanged } else { exchanged };
+        let is_first = |part: &ContactPair| part.label() == label((&pair.secondary_name, &pair.main_name));
+        let mut parts: Vec<(&ContactPair, ContactState)> =
+            sides.pairs.iter().map(|part| (part, part.state())).collect();
+        let mut state = parts.iter().fold(ContactState::default(), |all, (part, own)| match is_first(part) {
+            true => own.clone(),
+            false => all.and_exchanged(own.clone()),
+        });
+        let balanced = parts.len() > 1;
+        state.points.clear();
+        let mut nodes = Vec::new();
+        for (part, own) in &mut parts {
             // A point of a part stands for a part of its surface.
-            nodes.extend(part.node_values(&own).into_iter().map(|n| NodeValues { measure: n.measure / share, ..n }));
-            state = if is_first { own } else { state.and_exchanged(own) };
+            let share = if is_first(part) { 1.0 - exchanged } else { exchanged };
+            for point in own.points.iter_mut().filter(|_| balanced) {
+                *point = point.pressed_by(force_on(&state, point.node), point.measure.value() / share);
+            }
+            nodes.extend(part.node_values(own).into_iter().map(|n| NodeValues { measure: n.measure / share, ..n }));
+            state.points.append(&mut own.points);
         }
         ActingContact { surfaces: (&pair.secondary_name, &pair.main_name), state, nodes }
     };
@@ -39,6 +50,15 @@ pub fn contacts<'a>(model: &'a Model, scene: &'a Scene) -> Vec<ActingContact<'a>
         ActingContact { surfaces: (general.label(), general.label()), state, nodes }
     });
     scene.pairs.iter().map(of).chain(general).collect()
+}
+
+/// Normal force [F] on a node of a contact.
+fn force_on(state: &ContactState, node: u32) -> f64 {
+    let on_side = |side: &SideForce| {
+        let place = side.nodes.binary_search_by_key(&node, |n| n.0);
+        place.map_or(Vec3::zeros(), |place| Vec3::from(side.nodes[place].1))
+    };
+    (on_side(&state.secondary) + on_side(&state.main)).norm()
 }
 
 /// `SECONDARY on MAIN`.

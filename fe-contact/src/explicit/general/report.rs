@@ -7,6 +7,8 @@ use crate::facet::Vec3;
 use crate::point::{ContactStatus, Measure};
 use crate::state::{ContactState, NodeValues, PointState, at_nodes};
 use crate::summary::MeasureKind;
+use std::cmp::Ordering;
+use std::collections::HashMap;
 use std::mem::size_of_val;
 
 /// How much general contact there is.
@@ -93,16 +95,18 @@ impl GeneralContact {
         let mut tally = Tally::default();
         let (carriers, surface) = (&self.ground.carriers, &self.ground.surface);
         let scene = self.ground.scene(0.0, Look::Again);
+        let forces = self.forces();
         for run in &self.nodes {
             for touch in run.touches.iter().filter(|touch| touch.point.gap.is_finite()) {
                 let p = touch.point;
                 let (node, measure) = (carriers.nodes[touch.first as usize], Measure::Area(p.measure));
                 let (pressure, shear, slip, status) = (p.pressure, p.shear, p.slip, p.status);
-                let state = PointState { node, opening: p.gap, pressure, shear, slip, status, measure };
+                let own = PointState { node, opening: p.gap, pressure, shear, slip, status, measure };
+                let state = self.pressed(own, (touch.first, &touch.normal), &forces);
                 tally.point(state, &carriers.x[touch.first as usize], &touch.normal);
             }
             for (node, gap) in run.gaps(&scene) {
-                let state = PointState {
+                let own = PointState {
                     node: carriers.nodes[node as usize],
                     opening: gap,
                     pressure: 0.0,
@@ -111,6 +115,8 @@ impl GeneralContact {
                     status: ContactStatus::Open,
                     measure: Measure::Area(surface.area(node, &carriers.x)),
                 };
+                let largest = forces.get(&node).and_then(|all| all.iter().copied().max_by(by_size)).unwrap_or_default();
+                let state = self.pressed(own, (node, &largest), &forces);
                 tally.point(state, &carriers.x[node as usize], &Vec3::zeros());
             }
         }
@@ -126,6 +132,27 @@ impl GeneralContact {
         tally.finish(self.ground.table.behaviours.iter().any(|behaviour| behaviour.friction.is_some()))
     }
 
+    /// Normal forces [F] on each node whose face or which itself is pressed on, by its place in the carriers.
+    fn forces(&self) -> HashMap<u32, Vec<Vec3>> {
+        let mut out: HashMap<u32, Vec<Vec3>> = HashMap::new();
+        for touch in self.nodes.iter().flat_map(|run| &run.touches).filter(|touch| touch.is_closed()) {
+            let pressed = touch.normal * touch.normal.dot(&touch.point.force);
+            touch.row.iter().filter(|entry| entry.1 != 0.0).for_each(|&(node, d)| {
+                out.entry(node).or_default().push(pressed * d);
+            });
+        }
+        out
+    }
+
+    /// A point with all that presses on its node along a direction, over the area that faces it; what is against the direction
+    /// presses on the other side of a sheet.
+    fn pressed(&self, own: PointState, at: (u32, &Vec3), forces: &HashMap<u32, Vec<Vec3>>) -> PointState {
+        let (node, direction) = at;
+        let (Some(all), Some(unit)) = (forces.get(&node), direction.try_normalize(0.0)) else { return own };
+        let force: f64 = all.iter().map(|force| force.dot(&unit).max(0.0)).sum();
+        own.pressed_by(force, self.ground.surface.facing(node, &unit, &self.ground.carriers.x))
+    }
+
     /// Results at all nodes that may touch, ascending.
     pub fn node_values(&self, state: &ContactState) -> Vec<NodeValues> {
         let (carriers, surface) = (&self.ground.carriers, &self.ground.surface);
@@ -133,4 +160,8 @@ impl GeneralContact {
         let area = |node: u32| surface.area(carriers.index(node) as u32, &carriers.x);
         values.into_values().map(|value| NodeValues { measure: area(value.node), ..value }).collect()
     }
+}
+
+fn by_size(a: &Vec3, b: &Vec3) -> Ordering {
+    a.norm_squared().total_cmp(&b.norm_squared())
 }
