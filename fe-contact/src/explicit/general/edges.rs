@@ -118,7 +118,8 @@ impl Edges {
             let [one, other] = ends.map(|e| &edges[e as usize]);
             // Nothing is deep at once: where no node holds them any more, or their normal has turned over, edges have not come
             // through each other.
-            let came = |deep: f64| gap > -deep - scene.watched;
+            let at_once = scene.deep_at_once(&row([one, other], crossing.at));
+            let came = |deep: f64| gap > -deep - at_once;
             let is_behind = || (outside && came(0.0)) || neighbour(scene, ends, &closed.crossing).is_some_and(came);
             let may = is_proper && (gap >= 0.0 || is_behind()) && !closed.holds(one, other);
             if may && gap < scene.reach || was.is_some() {
@@ -143,9 +144,8 @@ fn may_touch(scene: &Scene, one: &Edge, other: &Edge) -> bool {
 fn touch(scene: &Scene, ends: [u32; 2], was: Option<&Touch>, crossing: Crossing) -> Option<Touch> {
     let [one, other] = ends.map(|e| &scene.surface.edges[e as usize]);
     let acting = scene.table.of_edges(one.classes, other.classes)?;
-    let [s, t] = crossing.at.map(|at| at.clamp(0.0, 1.0));
+    let row = row([one, other], crossing.at);
     let nodes = [one.nodes[0], one.nodes[1], other.nodes[0], other.nodes[1]];
-    let row = [(nodes[0], 1.0 - s), (nodes[1], s), (nodes[2], t - 1.0), (nodes[3], -t), (nodes[0], 0.0)];
     let facing = |node: u32, normal: Vec3| scene.surface.facing(node, &normal, &scene.carriers.x);
     let n = crossing.normal;
     let area = [facing(nodes[0], n), facing(nodes[1], n), facing(nodes[2], -n), facing(nodes[3], -n)];
@@ -154,6 +154,13 @@ fn touch(scene: &Scene, ends: [u32; 2], was: Option<&Touch>, crossing: Crossing)
     let penalty = scene.table.scales[usize::from(acting.scale)] * own.min(opposite);
     let place = Place { gap: crossing.gap, normal: crossing.normal, row, measure: area, penalty };
     Some(scene.touch(ends, was, place, acting))
+}
+
+/// How far places along two edges part as their nodes move.
+fn row([one, other]: [&Edge; 2], at: [f64; 2]) -> [(u32, f64); 5] {
+    let [s, t] = at.map(|at| at.clamp(0.0, 1.0));
+    let ([a, b], [c, d]) = (one.nodes, other.nodes);
+    [(a, 1.0 - s), (b, s), (c, t - 1.0), (d, -t), (a, 0.0)]
 }
 
 /// How two edges lie; `None` where they run side by side, or none of their normals points out.

@@ -139,14 +139,13 @@ impl Nodes {
             }
             let Some((acting, part)) = part(scene, node, face) else { continue };
             let share = |i: usize| (face.corners[i], foot.weights[i]);
-            let corner = |i: usize| (face.corners[i], -foot.weights[i]);
             let opposite = scene.penalty_at((0..4).map(share));
             let scale = part * scene.table.scales[usize::from(acting.scale)];
             let normal = foot.normal * side;
             let place = Place {
                 gap,
                 normal,
-                row: [(node, 1.0), corner(0), corner(1), corner(2), corner(3)],
+                row: row(node, face, &foot),
                 measure: part * scene.surface.facing(node, &normal, &scene.carriers.x),
                 penalty: scale * scene.penalty(&[node]).min(opposite),
             };
@@ -242,8 +241,9 @@ fn nearest(scene: &Scene, node: u32, same: &mut [Candidate], closed: &[&Touch], 
             Look::Anew => is_behind && candidate.side * gap_before(scene, node, face) >= 0.0,
             Look::Again => candidate.was_outside,
         };
-        // Nothing is deep at once: past a ridge of a sheet the node has come around.
-        let deepest = within.min(DEEPEST * face.size);
+        // Nothing is deep at once: past a ridge, or a corner, the node has come around.
+        let at_once = scene.deep_at_once(&row(node, face, &foot));
+        let deepest = (at_once + within - scene.watched).min(DEEPEST * face.size);
         let may = !is_behind || overlaps || (!around && gap > -deepest && (was || is_touched));
         candidate.was_outside = was || !is_behind || overlaps;
         // Of faces that share the nearest point one that sees the node from outside is right: it is past a ridge of the others.
@@ -262,6 +262,12 @@ fn nearest(scene: &Scene, node: u32, same: &mut [Candidate], closed: &[&Touch], 
         past.into_iter().for_each(|(place, side)| same[place].side = side);
     }
     best.map(|(place, foot, gap)| Nearest { face: same[place].face, side: same[place].side, foot, gap })
+}
+
+/// How far a node and its foot part as nodes move.
+fn row(node: u32, face: &FaceData, foot: &Foot) -> [(u32, f64); 5] {
+    let corner = |i: usize| (face.corners[i], -foot.weights[i]);
+    [(node, 1.0), corner(0), corner(1), corner(2), corner(3)]
 }
 
 /// The gap [L] of a node over a face at the beginning of the increment.

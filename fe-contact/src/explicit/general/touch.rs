@@ -105,6 +105,12 @@ impl Scene<'_> {
         row.iter().map(|&(node, d)| self.carriers.v[node as usize] * d).sum()
     }
 
+    /// How deep [L] places may be that were not so at the beginning of the increment: twice what they themselves have moved
+    /// against each other. What all things may have moved is too much: a stiff spring would begin with more than all energy.
+    pub fn deep_at_once(&self, row: &[(u32, f64)]) -> f64 {
+        2.0 * self.way(row).norm()
+    }
+
     /// The least stiffness [F/L] of some nodes.
     pub fn penalty(&self, nodes: &[u32]) -> f64 {
         nodes.iter().map(|&node| self.penalties[node as usize]).fold(f64::INFINITY, f64::min)
