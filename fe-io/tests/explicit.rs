@@ -223,3 +223,20 @@ fn general_contact() {
     let found: Vec<_> = model.steps.iter().map(|step| step.general_contact.clone()).collect();
     assert_eq!(found, [first, second, third].map(Some));
 }
+
+/// C3D10M is C3D10 in both kinds of steps, and a note says so.
+#[test]
+fn c3d10m_is_taken_as_c3d10() {
+    let cards = CUBE.split_once("*NSET").map(|(_, rest)| rest).unwrap_or_default();
+    let tetrahedron = "*NODE, NSET=ALL\n1, 0., 0., 0.\n2, 1., 0., 0.\n3, 0., 1., 0.\n4, 0., 0., 1.\n5, .5, 0., 0.\n\
+                       6, .5, .5, 0.\n7, 0., .5, 0.\n8, 0., 0., .5\n9, .5, 0., .5\n10, 0., .5, .5\n\
+                       *ELEMENT, TYPE=C3D10M, ELSET=CUBE\n1, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10\n*NSET";
+    let explicit = format!("{tetrahedron}{cards}").replace("LOW, 1, 3", "1, 1, 3");
+    let fixed = explicit.replace("*DYNAMIC, EXPLICIT\n, 1e-5", "*STATIC\n1., 1.");
+    assert_ne!(fixed, explicit);
+    for text in [explicit, fixed] {
+        let model = read(&text).unwrap_or_else(|faults| panic!("{faults}"));
+        assert_eq!(model.structure.elements, [ElementType::C3D10]);
+        assert!(model.notes.iter().any(|note| note.contains("C3D10M is taken as C3D10")), "{:?}", model.notes);
+    }
+}
