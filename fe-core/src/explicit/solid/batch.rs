@@ -60,8 +60,8 @@ pub(super) struct Outcome {
 /// What an increment made of eight elements.
 pub(super) struct Batch<const N: usize> {
     pub forces: [Vector; N],
-    /// What the element's stiffness at each node is not above, as a form in the motions of all nodes [F/L].
-    pub stiffness: [Lanes; N],
+    /// What no eigenvalue of the element's stiffness is above [F/L].
+    pub stiffness: Lanes,
     /// Internal, plastic, hourglass, viscous.
     pub energies: [Lanes; 4],
     /// Volume, of an element or about a point of it: the least counts.
@@ -141,7 +141,7 @@ pub(super) fn all<const N: usize>(
             for a in 0..N {
                 let force = &mut forces[nodes[a][lane] as usize];
                 (0..3).for_each(|c| force[c] += batch.forces[a][c].0[lane]);
-                force[3] += batch.stiffness[a].0[lane];
+                force[3] += batch.stiffness.0[lane];
             }
         }
     }

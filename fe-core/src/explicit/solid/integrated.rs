@@ -186,7 +186,7 @@ impl<const N: usize, const P: usize> Integrated<N, P> {
         let zero = Lanes::ZERO;
         let mut out = Batch {
             forces: [[zero; 3]; N],
-            stiffness: std::array::from_fn(|a| squares[0] * mass * own[3 + a]),
+            stiffness: squares[0] * mass * own[3..].iter().fold(zero, |most, share| most.max(*share)),
             energies: [zero; 4],
             volume: around[0].volume,
             damping: zero,
@@ -195,7 +195,7 @@ impl<const N: usize, const P: usize> Integrated<N, P> {
         let before = own[2];
         for (around, point) in around.iter().zip(&points) {
             let Moved { motion, stress, work, dissipated, middle } = point;
-            let viscosity = Viscosity::new(common, (dt, before), (volume, mass), (motion, squares), false);
+            let viscosity = Viscosity::new(common, (dt, before), (motion, squares), false);
             out.energies[0] += *work;
             out.energies[1] += *dissipated;
             out.energies[3] += viscosity.work * *middle;

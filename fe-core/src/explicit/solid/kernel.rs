@@ -140,15 +140,10 @@ pub(super) fn batch<S: Shape<N, H>, const N: usize, const H: usize, const FUSED:
     // short side.
     let [lambda, mu] = done.moduli;
     let stiffness = volume * (geometry.largest * mu * 2.0 + geometry.divergence * lambda.max(Lanes::ZERO));
-    let square = stiffness * lightest / mass;
-    let squares = [square, volume * geometry.divergence * lightest / mass];
-    let viscosity = Viscosity::new(
-        common,
-        (dt, state[VISCOUS]),
-        (volume, mass),
-        (&motion, squares),
-        S::SPACE == Space::PlaneStress,
-    );
+    let lightness = lightest / mass;
+    let square = stiffness * lightness;
+    let squares = [square, volume * geometry.divergence * lightness];
+    let viscosity = Viscosity::new(common, (dt, state[VISCOUS]), (&motion, squares), S::SPACE == Space::PlaneStress);
     state[VISCOUS] = viscosity.pressure;
 
     // V σ, less what the hourglass forces have of a constant gradient.
@@ -158,7 +153,7 @@ pub(super) fn batch<S: Shape<N, H>, const N: usize, const H: usize, const FUSED:
     let mut out = Batch {
         forces: [[Lanes::ZERO; 3]; N],
         energies: [done.work * middle, done.dissipated * middle, Lanes::ZERO, viscosity.work * middle],
-        stiffness: [stiffness; N],
+        stiffness,
         volume,
         damping: viscosity.damping,
         stable: viscosity.stable,

@@ -23,28 +23,27 @@ impl Viscosity {
     /// Of bulk viscosity, a pressure against the rate of volume with b = b₁ + b₂² · closing rate · 2/ω of what is critical of a wave;
     /// a mode that changes the volume in all directions has more of it, ξ = b (λ + 2μ) ω_v²/ω², ω_v² what λ is multiplied with in
     /// ω² (`volumetric`; for a cube ξ = 3b (λ + 2μ)/(3λ + 2μ)); and of the β of the material,
-    /// β C : ε̇ with the elasticity C of small strains, ξ = ½ β ω. `before` is the pressure of the increment before.
+    /// β C : ε̇ with the elasticity C of small strains, ξ = ½ β ω. `before` is the pressure of the increment before. With the speed c
+    /// of a wave and ρc² = λ + 2μ the pressure b ρ c · 2c/ω · rate has neither mass nor volume in it.
     #[inline(always)]
     pub fn new(
         common: &Common,
         (dt, before): (f64, Lanes),
-        (volume, mass): (Lanes, Lanes),
         (motion, [square, volumetric]): (&Motion, [Lanes; 2]),
         is_plane_stress: bool,
     ) -> Self {
         let (answer, e) = (&common.answer, &motion.strain);
         let free = Lanes::splat(2.0) / square.sqrt();
-        let speed = (volume / mass * (answer.lambda + 2.0 * answer.mu)).sqrt();
         let [linear, quadratic] = common.viscosity;
         let opened = motion.opened();
-        let (rate, density) = if dt > 0.0 { (opened * (1.0 / dt), mass / volume) } else { (Lanes::ZERO, Lanes::ZERO) };
-        let length = speed * free;
+        let rate = if dt > 0.0 { opened * (1.0 / dt) } else { Lanes::ZERO };
         let closing = (-rate).max(Lanes::ZERO);
         let mut fraction = Lanes::splat(linear) + closing * free * (quadratic * quadratic);
-        let pressure = density * speed * length * fraction * rate;
+        let of_wave = answer.lambda + 2.0 * answer.mu;
+        let pressure = free * fraction * rate * of_wave;
         // Where the thickness is free it closes as the plane opens, by λ/(λ + 2μ).
-        let modulus = if is_plane_stress { 2.0 * answer.mu } else { answer.lambda + 2.0 * answer.mu };
-        fraction = fraction * volumetric * modulus / square;
+        let modulus = if is_plane_stress { 2.0 * answer.mu } else { of_wave };
+        fraction = fraction * volumetric * free * free * (0.25 * modulus);
         let mut stress = [Lanes::ZERO; 6];
         if common.beta > 0.0 {
             fraction += Lanes::splat(common.beta) / free;

@@ -18,7 +18,8 @@ fn scene(setup: &Setup) -> Scene {
     scene
 }
 
-/// Not above the exact one of the whole mesh, nor below that of the fastest element; masses four times as large double it.
+/// Not above the exact one of the whole mesh, nor below that of the fastest element; masses four times as large double it. C3D10
+/// gains nothing: its corners have so little mass that the bound there is above that of the elements.
 #[test]
 fn all_elements_bear_more_than_the_fastest() {
     for element in all() {
@@ -26,7 +27,8 @@ fn all_elements_bear_more_than_the_fastest() {
         let together = scene(&setup).stable();
         let by_element = setup.block(3, graded).stable();
         let exact = exact(|| scene(&setup), |x| x);
-        assert!(by_element < together && together <= exact * (1.0 + 1e-6), "{}", element.name());
+        assert!(by_element <= together && (element == C3D10 || 1.3 * by_element < together), "{}", element.name());
+        assert!(together <= exact * (1.0 + 1e-6), "{}", element.name());
         let mut heavy = scene(&setup);
         heavy.solids.scale(&|_| 4.0);
         assert!((heavy.stable() / together - 2.0).abs() < 1e-13, "{}", element.name());
