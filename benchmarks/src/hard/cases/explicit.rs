@@ -8,7 +8,10 @@ use crate::hard::{Place, Scene};
 pub fn scenes() -> Vec<Scene> {
     vec![
         Scene::new("a bar with increments 1 % above the stable one", |place| {
-            Finding::halted(&place.run("bar", &bar(1.01)), &["increment", "energy balance", "stable one", "element"])
+            Finding::halted(
+                &place.run("bar", &bar(1.01)),
+                &["increment", "times the energy", "longer than the stable one", "element"],
+            )
         }),
         Scene::new("a bar with increments 1 % below it", |place| Finding::converged(&place.run("bar", &bar(0.99)))),
         Scene::new("a massless node in contact", |place| {
