@@ -261,7 +261,7 @@ impl Carriers {
                 }
                 Carrier::Rigid(body) => {
                     let body = &self.bodies[body];
-                    self.x[i] = body.place + body.rotation * (self.start[i] - body.start);
+                    self.x[i] = body.place_of(&self.start[i]);
                     self.v[i] = body.velocity_at(&self.x[i]);
                 }
             }

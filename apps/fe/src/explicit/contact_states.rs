@@ -30,14 +30,16 @@ pub fn contacts<'a>(model: &'a Model, scene: &'a Scene) -> Vec<ActingContact<'a>
             true => own.clone(),
             false => all.and_exchanged(own.clone()),
         });
-        let balanced = parts.len() > 1;
+        let is_balanced = parts.len() > 1;
         state.points.clear();
         let mut nodes = Vec::new();
         for (part, own) in &mut parts {
             // A point of a part stands for a part of its surface.
             let share = if is_first(part) { 1.0 - exchanged } else { exchanged };
-            for point in own.points.iter_mut().filter(|_| balanced) {
-                *point = point.pressed_by(force_on(&state, point.node), point.measure.value() / share);
+            if is_balanced {
+                for point in &mut own.points {
+                    *point = point.pressed_by(force_on(&state, point.node), point.measure.value() / share);
+                }
             }
             nodes.extend(part.node_values(own).into_iter().map(|n| NodeValues { measure: n.measure / share, ..n }));
             state.points.append(&mut own.points);

@@ -121,7 +121,7 @@ impl GeneralContact {
             }
         }
         for touch in self.touches().filter(|touch| touch.is_closed()) {
-            let pressed = touch.normal * touch.normal.dot(&touch.point.force);
+            let pressed = touch.normal_force();
             for &(node, d) in touch.row.iter().filter(|entry| entry.1 != 0.0) {
                 let side = if d > 0.0 { Side::Secondary } else { Side::Main };
                 let (place, shear) = (carriers.x[node as usize], (touch.point.force - pressed) * d);
@@ -136,7 +136,7 @@ impl GeneralContact {
     fn forces(&self) -> HashMap<u32, Vec<Vec3>> {
         let mut out: HashMap<u32, Vec<Vec3>> = HashMap::new();
         for touch in self.nodes.iter().flat_map(|run| &run.touches).filter(|touch| touch.is_closed()) {
-            let pressed = touch.normal * touch.normal.dot(&touch.point.force);
+            let pressed = touch.normal_force();
             touch.row.iter().filter(|entry| entry.1 != 0.0).for_each(|&(node, d)| {
                 out.entry(node).or_default().push(pressed * d);
             });

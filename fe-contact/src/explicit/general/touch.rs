@@ -34,6 +34,11 @@ impl Touch {
         self.point.status != ContactStatus::Open
     }
 
+    /// Force [F] of the contact along the normal.
+    pub fn normal_force(&self) -> Vec3 {
+        self.normal * self.normal.dot(&self.point.force)
+    }
+
     /// As it is when the places have left each other.
     pub fn left(&self, scene: &Scene) -> Self {
         let work = -0.5 * self.point.force.dot(&scene.way(&self.row));
